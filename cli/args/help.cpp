@@ -301,12 +301,14 @@ constexpr ExitMeaning check_exits[] = {
 };
 
 constexpr std::string_view usual_notes[] = {
-    "Meshes: OFF, OBJ, PLY, STL, or plain lines \"x y z\"; convex hulls are taken. Streams: JSON Lines, schema "
-    "fathom/case/1.",
+    "Meshes: OFF, OBJ, PLY, STL, glTF, COLLADA, 3MF, or plain lines \"x y z\"; convex hulls are taken. FILE#NAME is "
+    "one "
+    "mesh of several. Streams: JSON Lines, schema fathom/case/1.",
     "Results go to standard output, everything else to standard error.",
 };
 constexpr std::string_view solid_notes[] = {
-    "Meshes: OFF, OBJ, PLY, STL. The solid of a mesh is where its winding number is positive. A mesh that is not "
+    "Meshes: OFF, OBJ, PLY, STL, glTF, COLLADA, 3MF. The solid of a mesh is where its winding number is positive. A "
+    "mesh that is not "
     "closed, or has a part inside out, is refused; nothing is mended.",
 };
 constexpr std::string_view robot_notes[] = {

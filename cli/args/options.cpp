@@ -42,8 +42,9 @@ constexpr const char *on_bodies = "depth,width,approx,ray,metric,study,stages,ex
 
 // Meanings that options of two commands share.
 const std::string pieces =
-    "each body is the union of convex pieces, each of which stands for its hull: the groups of an OBJ file, or the "
-    "mesh files of a folder; another mesh, or a shape, is one piece";
+    "each body is the union of convex pieces, each of which stands for its hull: the groups of an OBJ file, the solids "
+    "of an STL file, the nodes of a scene (glTF, COLLADA, 3MF), or the mesh files of a folder; another mesh, or a "
+    "shape, is one piece";
 const std::string pose =
     "how A is placed, exactly: \"r11 r12 r13 t1; r21 ...; r31 ...\", 4 x 4 numbers, \"xyz=X,Y,Z quat=W,X,Y,Z\" (or "
     "xyzw=X,Y,Z,W, or rpy=ROLL,PITCH,YAWdeg or rad), or @FILE with one of these";
@@ -213,6 +214,8 @@ std::vector<Option> make_table() {
       flag("explain", "--pieces", pieces),
       flag("robot", "--pieces", "each mesh is the union of convex pieces: the groups of an OBJ file"),
       flag("robot", "--solid", "each mesh is what it goes around, convex or not, instead of its hull"),
+      flag("depth,explain", "--skip-flat",
+           "with --pieces: go on without pieces that are flat, and name them; else the first is an error"),
       flag("depth,explain", "--solid",
            "each body is what its closed mesh goes around, convex or not, with cavities: cut into convex pieces, "
            "exactly. A mesh that is not closed, or has a part inside out, is an error. With depth --json one object, "

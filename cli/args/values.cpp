@@ -13,6 +13,7 @@
 #include "kernels/messages.hpp"
 #include "reference/approximate/separation.hpp"
 #include "reference/files/file_io.hpp"
+#include "reference/files/piece_files.hpp"
 #include "reference/solve/depth.hpp"
 #include "verify/judge/words.hpp"
 
@@ -155,8 +156,9 @@ std::vector<std::string> words_of(std::string_view list) {
 }
 
 bool is_mesh_name(const std::string& path) {
-  constexpr std::string_view meshes[] = {"off", "obj", "ply", "stl", "xyz", "pts"};
-  return std::ranges::find(meshes, files::extension(path)) != std::end(meshes);
+  const std::string ending = files::extension(path);
+  return ending == "xyz" || ending == "pts" || files::is_mesh_name(path) ||
+         files::is_mesh_name(path.substr(0, path.find('#')));
 }
 
 bool is_cases_name(const std::string& path) {

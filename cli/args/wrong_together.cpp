@@ -190,6 +190,7 @@ std::string wrong_picture(const Given& given) {
   if (given.text("--svg") == "-") return "--svg writes a file, found - for standard output";
   if (given.command == "depth" && !given.has("--along") && given.has("--patch-slack") && !given.flag("--patch"))
     return "--patch-slack goes with --patch";
+  if (given.has("--skip-flat") && !given.flag("--pieces")) return "--skip-flat goes with --pieces";
   if (given.flag("--pieces") || given.flag("--solid")) return wrong_unions(given);
   if (given.command == "depth") return wrong_along(given);
   return given.command == "study" ? wrong_sweep(given) : "";
@@ -340,7 +341,7 @@ std::vector<NamedFile> files_of(const Given& given) {
         value.erase(0, 1);
       }
       if (value == "-" && use == FileUse::read) found.push_back({name, "standard input", FilePlace(STDIN_FILENO), use});
-      else found.push_back({name, value, FilePlace(value), use});
+      else found.push_back({name, value, FilePlace(is_input ? files::mesh_path(value).file : value), use});
       if (use != FileUse::read) continue;
       for (const std::string& file : files_in(value)) found.push_back({name, file, FilePlace(file), use});
     }

@@ -400,7 +400,7 @@ struct MetricRequest : BodiesRequest {
 
 UnitBall ball_of(const MetricRequest& request) {
   try {
-    return unit_ball(read_mesh(request.ball, request.decimals).points);
+    return unit_ball(mesh_of_input(request.ball, request.decimals).points);
   } catch (const NoUnitBall& error) {
     throw InputError(request.ball, 0, error.what());
   }

@@ -37,11 +37,32 @@ Body link_of_input(const std::string& input, const BodiesRequest& request, std::
   return files::body_of(posed, link, request.robots);
 }
 
+void tell_of_file(const std::string& input, const Body& body) {
+  for (const std::string& note : files::file_notes(body)) talk(input + ": " + note);
+}
+
+/// Returns the union of the pieces of a file or folder, each of which needs an interior.
+Body union_of_input(const std::string& input, const BodiesRequest& request) {
+  Body body = files::read_union(input, request.decimals, [&](const files::NamedPiece& piece, std::size_t number) {
+    if (!is_flat(hull(piece.mesh.points.exact()))) return true;
+    const std::string which =
+        fmt::format("piece {}{}", number, piece.name.empty() ? "" : fmt::format(" ({})", kernels::shown(piece.name)));
+    if (!request.skip_flat)
+      throw InputError(
+          input, 0,
+          fmt::format("{} is flat: the pieces of a union need interiors (--skip-flat goes on without it)", which));
+    talk(fmt::format("{}: {} is flat, and left out", input, which));
+    return false;
+  });
+  tell_of_file(input, body);
+  return body;
+}
+
 /// Returns the body in a file or folder, of the description of a shape, or of a link.
 Body body_of_input(const std::string& input, const BodiesRequest& request, std::vector<files::Robot>& robots) {
   const bool is_link = files::is_robot_text(input);
   if (!is_link && !files::is_shape_text(input))
-    return request.pieces ? files::read_union(input, request.decimals) : read_mesh(input, request.decimals);
+    return request.pieces ? union_of_input(input, request) : mesh_of_input(input, request.decimals);
   Body body = is_link ? link_of_input(input, request, robots) : files::parse_shape(input, request.decimals);
   const bool is_union = request.pieces || request.solids;
   if (is_union && body.shape)
@@ -140,6 +161,7 @@ BodiesRequest::BodiesRequest(const Given& given)
     : inputs(given.inputs()),
       one_body(given.command == "width"),
       pieces(given.flag("--pieces")),
+      skip_flat(given.flag("--skip-flat")),
       solids(given.flag("--solid")),
       decimals(given.flag("--exact-decimals") ? Decimals::exact : Decimals::binary64),
       pose_a(given.value("--pose-a")),
@@ -160,6 +182,12 @@ std::vector<Body> bodies_of_inputs(const BodiesRequest& request) {
   for (const std::string& input : request.inputs) bodies.push_back(body_of_input(input, request, robots));
   files::require_joints(robots, request.joints);
   return bodies;
+}
+
+Body mesh_of_input(const std::string& input, Decimals decimals) {
+  Body body = read_mesh(input, decimals);
+  tell_of_file(input, body);
+  return body;
 }
 
 Case asked_case(const BodiesRequest& request, const std::string& refuses_unions, const std::string& refuses_shapes) {

@@ -29,6 +29,7 @@ struct BodiesRequest {
   std::vector<std::string> inputs;            ///< meshes or shapes, or one stream
   bool one_body = false;                      ///< `width` is about one body
   bool pieces = false;                        ///< the bodies are unions of the pieces in their files
+  bool skip_flat = false;                     ///< pieces without an interior are left out
   bool solids = false;                        ///< the bodies are the solids of their meshes
   Decimals decimals = Decimals::binary64;     ///< of text meshes; cases state it themselves
   std::optional<std::string> pose_a, pose_b;  ///< the poses of the two bodies, as typed
@@ -51,6 +52,10 @@ std::vector<Body> bodies_of_inputs(const BodiesRequest& request);
 /// Returns the pose that an option describes. Prints a note on standard error if it is no rotation
 /// with a translation; `has_radius`: of a body with a radius. Throws InputError.
 files::GivenPose asked_pose(const std::string& text, const std::string& option, Decimals decimals, bool has_radius);
+
+/// Returns the mesh in a file. Prints what its reader has to say on standard error. Throws
+/// InputError.
+Body mesh_of_input(const std::string& input, Decimals decimals);
 
 /// How a command replies to cases.
 struct Replies {

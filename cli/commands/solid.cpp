@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "cli/commands/command.hpp"
+#include "cli/commands/replies.hpp"
 #include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
 #include "cli/output/text_rows.hpp"
@@ -99,7 +100,7 @@ std::string solid_json(const std::string& id, const Solid& solid, const std::opt
 }
 
 Solid read_solid(const SolidRequest& request) try {
-  return solid_of(read_mesh(request.mesh, request.decimals));
+  return solid_of(mesh_of_input(request.mesh, request.decimals));
 } catch (const std::invalid_argument& error) {
   throw InputError(request.mesh, 0, error.what());
 }

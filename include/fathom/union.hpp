@@ -106,9 +106,10 @@ Pieces pieces_of(const Body& body);
 
 /// Returns the convex pieces of a body in an OBJ file: for each object (a line "o" begins a new
 /// one) and group in it (lines "g") the corners of its faces, in the order of their numbers. Groups
-/// come in the order of their first faces; a file without them is one piece. Of a folder, the
-/// pieces of all files in it that end in .off, .obj, .ply and .stl, in the natural order of their
-/// names, piece_2 before piece_10: the vertices of each, and of OBJ files the groups. Throws
+/// come in the order of their first faces; a file without them is one piece. The solids of an STL
+/// file and the nodes of a scene are pieces in the same way. Of a folder, the pieces of all files
+/// in it that end in .off, .obj, .ply, .stl, .gltf, .glb, .dae and .3mf, in the natural order of
+/// their names, piece_2 before piece_10. "file#name" is one piece, as for read_mesh. Throws
 /// InputError of fathom/files.hpp, with file and line, as read_mesh does, and if there are no
 /// faces, or no files.
 Pieces read_pieces(const std::string& path, Decimals decimals = Decimals::binary64);

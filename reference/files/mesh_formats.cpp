@@ -17,6 +17,8 @@
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rational.hpp"
 #include "reference/files/file_io.hpp"
+#include "reference/files/piece_files.hpp"
+#include "reference/files/scene_files.hpp"
 
 namespace fathom::files {
 namespace {
@@ -29,6 +31,9 @@ std::optional<MeshFormat> format_of_name(const std::string& name) {
   if (ending == "obj") return MeshFormat::obj;
   if (ending == "ply") return MeshFormat::ply;
   if (ending == "stl") return MeshFormat::stl;
+  if (ending == "gltf" || ending == "glb") return MeshFormat::gltf;
+  if (ending == "dae") return MeshFormat::collada;
+  if (ending == "3mf") return MeshFormat::threemf;
   if (ending == "xyz" || ending == "txt" || ending == "pts") return MeshFormat::xyz;
   return std::nullopt;
 }
@@ -42,12 +47,16 @@ bool is_obj_keyword(std::string_view token) {
 
 /// By the first token that is not a comment; a binary STL by its size.
 std::optional<MeshFormat> format_of_content(std::string_view bytes) {
+  constexpr std::size_t head = 1024;
+  if (bytes.starts_with("glTF")) return MeshFormat::gltf;
+  if (bytes.starts_with("<") && bytes.substr(0, head).find("<COLLADA") != std::string_view::npos)
+    return MeshFormat::collada;
   TextScanner scanner(bytes, "", {.comment = '#'});
   if (scanner.next_line()) {
     const std::string_view token = scanner.next_token();
     if (token == "ply") return MeshFormat::ply;
     if (token == "solid" || is_binary_stl(bytes)) return MeshFormat::stl;
-    if (token.ends_with("OFF")) return MeshFormat::off;
+    if (token.ends_with("OFF") || token.starts_with("OFF")) return MeshFormat::off;
     if (is_obj_keyword(token)) return MeshFormat::obj;
     if (parse_number(token.substr(0, token.find(',')), Decimals::exact).value) return MeshFormat::xyz;
   }
@@ -59,16 +68,13 @@ std::string other_content(std::string_view bytes, const std::string& name) {
   struct Kind {
     std::string_view ending, beginning, what;
   };
-  constexpr std::array<Kind, 8> kinds{
-      {{"gltf", "glTF", "glTF, which is not read: export the mesh as OBJ, PLY, STL or OFF"},
-       {"glb", "glTF", "glTF, which is not read: export the mesh as OBJ, PLY, STL or OFF"},
-       {"dae", "<COLLADA", "COLLADA, which is not read: export the mesh as OBJ, PLY, STL or OFF"},
-       {"urdf", "<robot", "a description of a robot, which is not read: name the mesh files that it lists"},
+  constexpr std::array<Kind, 5> kinds{
+      {{"urdf", "<robot", "a description of a robot, which is not read: name the mesh files that it lists"},
        {"sdf", "<sdf", "a description of a model, which is not read: name the mesh files that it lists"},
        {"npy", "\x93NUMPY",
         "an array of numpy, which is not read: numpy.savetxt('points.xyz', array) writes lines x y z"},
-       {"fbx", "Kaydara FBX", "FBX, which is not read: export the mesh as OBJ, PLY, STL or OFF"},
-       {"step", "ISO-10303-21", "STEP, which is not read: export a mesh as OBJ, PLY, STL or OFF"}}};
+       {"fbx", "Kaydara FBX", "FBX, which is not read: export the mesh as glTF, OBJ, PLY, STL or OFF"},
+       {"step", "ISO-10303-21", "STEP, which is not read: export a mesh as glTF, OBJ, PLY, STL or OFF"}}};
   constexpr std::size_t head = 1024;
   const std::string_view start = bytes.substr(0, head);
   for (const Kind& kind : kinds)
@@ -237,6 +243,9 @@ Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decima
     case MeshFormat::obj: return files::parse_obj(bytes, name, decimals);
     case MeshFormat::ply: return files::parse_ply(bytes, name, decimals);
     case MeshFormat::stl: return files::parse_stl(bytes, name, decimals);
+    case MeshFormat::gltf:
+    case MeshFormat::collada:
+    case MeshFormat::threemf: return files::one_mesh(files::parse_scene(bytes, name, format, nullptr));
     default: return files::parse_xyz(bytes, name, decimals);
   }
 }
@@ -246,11 +255,8 @@ Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decima
   if (const std::optional<MeshFormat> format = files::mesh_format(bytes, name))
     return parse_mesh(bytes, name, decimals, *format);
   throw InputError(name, 1,
-                   "expected a mesh (OFF, OBJ, PLY, STL or lines x y z), found " + files::other_content(bytes, name));
-}
-
-Body read_mesh(const std::string& path, Decimals decimals) {
-  return parse_mesh(files::read_file(path), path, decimals);
+                   "expected a mesh (OFF, OBJ, PLY, STL, glTF, COLLADA, 3MF or lines x y z), found " +
+                       files::other_content(bytes, name));
 }
 
 }  // namespace fathom

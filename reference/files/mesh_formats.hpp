@@ -112,9 +112,14 @@ Body parse_stl(std::string_view bytes, const std::string& name, Decimals decimal
 struct NamedPiece {
   Body mesh;
   std::string name;
+  std::string other_name = "";  ///< of the mesh that the node of a scene shows
+  std::string note = "";        ///< on what placed that node, if anything did; a sentence
 };
-/// The pieces of a body: the groups of an OBJ file.
+/// The pieces of a body: the groups of an OBJ file, the solids of an STL file.
 std::vector<NamedPiece> parse_obj_pieces(std::string_view text, const std::string& name, Decimals decimals);
+std::vector<NamedPiece> parse_stl_pieces(std::string_view bytes, const std::string& name, Decimals decimals);
+/// Numbers the corners anew, by those that there are; returns their old numbers, in order.
+std::vector<std::uint32_t> renumbered(std::vector<std::uint32_t>& corners);
 Body parse_xyz(std::string_view text, const std::string& name, Decimals decimals);
 
 /// The format of a mesh, by its name or else by its first bytes; nullopt if neither tells.

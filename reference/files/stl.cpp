@@ -103,7 +103,7 @@ void read_facet(TextScanner& scanner, Decimals decimals, CollectedPoints& points
   expect_keyword(scanner, "endfacet");
 }
 
-// After "solid"; the rest of that line is a name.
+// After "solid" and its name.
 void read_solid(TextScanner& scanner, Decimals decimals, CollectedPoints& points) {
   scanner.next_line();
   while (true) {
@@ -115,25 +115,49 @@ void read_solid(TextScanner& scanner, Decimals decimals, CollectedPoints& points
   }
 }
 
-Body parse_text(std::string_view text, const std::string& name, Decimals decimals) {
+/// Calls f with the name of each solid, where its facets are to come.
+template <class F>
+void for_each_solid(std::string_view text, const std::string& name, F f) {
   TextScanner scanner(text, name);
-  CollectedPoints points;
+  bool any = false;
   while (scanner.next_line()) {
     const std::string_view token = scanner.next_token();
-    if (!is_keyword(token, "solid")) scanner.fail(points.empty() ? "'solid'" : "'solid' or the end of the file", token);
-    read_solid(scanner, decimals, points);
+    if (!is_keyword(token, "solid")) scanner.fail(any ? "'solid' or the end of the file" : "'solid'", token);
+    any = f(scanner, scanner.rest_of_line()) || any;
   }
-  if (points.empty()) scanner.fail_at_end("at least one facet");
-  return soup(points.take());
+  if (!any) scanner.fail_at_end("at least one facet");
+}
+
+bool is_text_stl(std::string_view bytes) {
+  const std::string_view start = bytes.substr(0, header_size - sizeof(std::uint32_t));
+  const std::size_t first = std::min(start.find_first_not_of(" \t\r\n"), start.size());
+  const bool reads_as_text = is_keyword(start.substr(first, 5), "solid") && start.find('\0') == std::string_view::npos;
+  return reads_as_text && !is_binary_stl(bytes);
 }
 
 }  // namespace
 
 Body parse_stl(std::string_view bytes, const std::string& name, Decimals decimals) {
-  const std::string_view start = bytes.substr(0, header_size - sizeof(std::uint32_t));
-  const std::size_t first = std::min(start.find_first_not_of(" \t\r\n"), start.size());
-  const bool reads_as_text = is_keyword(start.substr(first, 5), "solid") && start.find('\0') == std::string_view::npos;
-  return reads_as_text && !is_binary_stl(bytes) ? parse_text(bytes, name, decimals) : parse_binary(bytes, name);
+  if (!is_text_stl(bytes)) return parse_binary(bytes, name);
+  CollectedPoints points;
+  for_each_solid(bytes, name, [&](TextScanner& scanner, std::string_view) {
+    read_solid(scanner, decimals, points);
+    return !points.empty();
+  });
+  return soup(points.take());
+}
+
+std::vector<NamedPiece> parse_stl_pieces(std::string_view bytes, const std::string& name, Decimals decimals) {
+  std::vector<NamedPiece> pieces;
+  if (!is_text_stl(bytes)) pieces.push_back({parse_binary(bytes, name), ""});
+  else
+    for_each_solid(bytes, name, [&](TextScanner& scanner, std::string_view called) {
+      CollectedPoints points;
+      read_solid(scanner, decimals, points);
+      if (!points.empty()) pieces.push_back({soup(points.take()), std::string(called)});
+      return !pieces.empty();
+    });
+  return pieces;
 }
 
 }  // namespace fathom::files

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "kernels/messages.hpp"
 #include "reference/files/mesh_formats.hpp"
 
 namespace fathom::files {
@@ -19,12 +20,16 @@ namespace {
 // plain OFF in the wild): not read.
 
 // "ST", "C" and "N" in front say which columns follow x y z. "4" and "n" change the meaning of the
-// coordinates themselves.
-bool is_off_header(std::string_view token) {
+// coordinates themselves. Returns what follows, which is nothing, or the first of the counts:
+// "OFF8 6 12", as in ModelNet. Returns nullopt if it is no header.
+std::optional<std::string_view> after_off(std::string_view token) {
   if (token.starts_with("ST")) token.remove_prefix(2);
   if (token.starts_with("C")) token.remove_prefix(1);
   if (token.starts_with("N")) token.remove_prefix(1);
-  return token == "OFF";
+  std::uint64_t count = 0;
+  if (!token.starts_with("OFF") && token != "off") return std::nullopt;
+  token.remove_prefix(3);
+  return token.empty() || parse_count(token, count) ? std::optional(token) : std::nullopt;
 }
 
 void read_face(TextScanner& scanner, std::uint64_t vertices, MeshFaces& faces) {
@@ -62,6 +67,7 @@ bool parse_corner(std::string_view token, std::int64_t& index) {
 struct HighestIndex {
   std::uint64_t index = 0;
   std::size_t line = 0;
+  std::string group = "";  ///< its name, if it has one
 };
 
 void read_face(TextScanner& scanner, std::uint64_t vertices_so_far, HighestIndex& highest, MeshFaces& faces) {
@@ -88,7 +94,8 @@ void require_vertices(const TextScanner& scanner, const std::string& name, std::
   if (highest.index <= points) return;
   throw InputError(name, highest.line,
                    "expected a vertex index of at most " + std::to_string(points) + ", found '" +
-                       std::to_string(highest.index) + "'");
+                       std::to_string(highest.index) + "'" +
+                       (highest.group.empty() ? "" : " in the group " + kernels::shown(highest.group)));
 }
 
 /// Which piece the faces after a line 'o' or 'g' belong to. Each line 'o' begins an object, also of
@@ -115,13 +122,8 @@ class Groups {
 
 /// The mesh of these faces alone: their corners, in the order of their numbers.
 Body piece_of(const std::vector<Point>& points, MeshFaces faces) {
-  std::vector<std::uint32_t> used = faces.corners;
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  for (std::uint32_t& corner : faces.corners)
-    corner = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), corner) - used.begin());
   std::vector<Point> corners;
-  for (const std::uint32_t i : used) corners.push_back(points[i]);
+  for (const std::uint32_t i : renumbered(faces.corners)) corners.push_back(points[i]);
   Body piece{std::move(corners)};
   piece.faces = faces_of(std::move(faces));
   return piece;
@@ -154,14 +156,26 @@ std::string number_of(std::size_t columns) { return std::to_string(columns) + (c
 
 }  // namespace
 
+std::vector<std::uint32_t> renumbered(std::vector<std::uint32_t>& corners) {
+  std::vector<std::uint32_t> used = corners;
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  for (std::uint32_t& corner : corners)
+    corner = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), corner) - used.begin());
+  return used;
+}
+
 Body parse_off(std::string_view text, const std::string& name, Decimals decimals) {
   TextScanner scanner(text, name, {.comment = '#'});
   if (!scanner.next_line()) scanner.fail_at_end("the header 'OFF'");
   const std::string_view header = scanner.next_token();
-  if (!is_off_header(header)) scanner.fail("the header 'OFF' (or COFF, NOFF, STOFF)", header);
+  const std::optional<std::string_view> glued = after_off(header);
+  if (!glued) scanner.fail("the header 'OFF' (or COFF, NOFF, STOFF)", header);
   if (scanner.rest_of_line() == "BINARY") scanner.fail("text", "BINARY");
-  if (scanner.rest_of_line().empty() && !scanner.next_line()) scanner.fail_at_end("the numbers of vertices and faces");
-  const std::uint64_t vertices = scanner.count("the number of vertices");
+  if (glued->empty() && scanner.rest_of_line().empty() && !scanner.next_line())
+    scanner.fail_at_end("the numbers of vertices and faces");
+  std::uint64_t vertices = 0;
+  if (!parse_count(*glued, vertices)) vertices = scanner.count("the number of vertices");
   const std::uint64_t faces = scanner.count("the number of faces");
   if (vertices == 0) scanner.fail("at least one vertex", "0");
 
@@ -215,7 +229,9 @@ std::vector<NamedPiece> parse_obj_pieces(std::string_view text, const std::strin
     if (keyword != "f") continue;
     const std::size_t piece = groups.piece();
     if (piece == faces.size()) (faces.emplace_back(), names.push_back(groups.name()));
+    const std::uint64_t before = highest.index;
     read_face(scanner, points.size(), highest, faces[piece]);
+    if (highest.index > before) highest.group = names[piece];
   }
   require_vertices(scanner, name, points.size(), highest);
   if (faces.empty())

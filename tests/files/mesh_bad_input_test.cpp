@@ -125,16 +125,13 @@ TEST(BadMesh, UnknownContent) {
   EXPECT_EQ(complaint("\x7f"
                       "ELF",
                       "m"),
-            "m:1: expected a mesh (OFF, OBJ, PLY, STL or lines x y z), found '\\x7fELF'");
+            "m:1: expected a mesh (OFF, OBJ, PLY, STL, glTF, COLLADA, 3MF or lines x y z), found '\\x7fELF'");
 }
 
 TEST(BadMesh, OtherFormatsAreNamed) {
-  const std::string expected = "expected a mesh (OFF, OBJ, PLY, STL or lines x y z), found ";
+  const std::string expected = "expected a mesh (OFF, OBJ, PLY, STL, glTF, COLLADA, 3MF or lines x y z), found ";
   for (const auto& [bytes, name, what] :
-       {std::tuple("glTF\x02", "m.glb", "glTF, which is not read: export"),
-        std::tuple("{\"asset\":{}}", "m.gltf", "glTF, which is not read"),
-        std::tuple("<?xml version=\"1.0\"?>\n<COLLADA>", "m", "COLLADA, which is not read: export"),
-        std::tuple("<?xml version=\"1.0\"?>\n<robot name=\"r\">", "r.urdf",
+       {std::tuple("<?xml version=\"1.0\"?>\n<robot name=\"r\">", "r.urdf",
                    "a description of a robot, which is not read: name the mesh"),
         std::tuple("<robot>", "m.xml", "a description of a robot"),
         std::tuple("\x93NUMPY\x01", "m.npy", "an array of numpy, which is not read"),
@@ -142,6 +139,21 @@ TEST(BadMesh, OtherFormatsAreNamed) {
                    "'x,y,z\\x0a0,0,0\\x0a': a table of points has no line with names above them")})
     EXPECT_TRUE(complaint(bytes, name).starts_with(std::string(name) + ":1: " + expected + what))
         << complaint(bytes, name);
+}
+
+TEST(BadScene, FirstBytesTellItWithoutAName) {
+  EXPECT_EQ(complaint("glTF\x02", "m"),
+            "m: expected a header 'glTF' of 12 bytes and a chunk of JSON, found 'glTF\\x02'");
+  EXPECT_EQ(complaint("{\"asset\":{}}", "m.gltf"), "m.gltf: asset.version: expected 2.0, found none");
+  EXPECT_EQ(complaint("<?xml version=\"1.0\"?>\n<COLLADA>", "m"),
+            "m:2: expected '</COLLADA>', for line 2, found the end of the file");
+  EXPECT_EQ(complaint("PK", "m.3mf"),
+            "m.3mf: expected a ZIP archive with its directory at the end, found 2 bytes without one");
+}
+
+TEST(BadScene, FromMemoryNoFileIsRead) {
+  EXPECT_EQ(complaint("{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":1,\"uri\":\"a.bin\"}]}", "m.gltf"),
+            "m.gltf: buffers[0].uri: expected a buffer within the file, as it is read from memory, found 'a.bin'");
 }
 
 std::string complaint_of_file(const std::string& path) {

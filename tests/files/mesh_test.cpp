@@ -114,11 +114,12 @@ TEST(Mesh, RepeatedPointsKeepTheirIds) {
 
 TEST(MeshOff, HeaderAndCountsMayShareALine) {
   const Points expected{point("1", "2", "3"), point("4", "5", "6")};
-  for (const char* text : {"OFF\n2 0 0\n1 2 3\n4 5 6\n", "OFF 2 0 0\n1 2 3\n4 5 6", "OFF\r\n2 0\r\n1 2 3\r\n4 5 6\r\n",
-                           "OFF\r2 0 0\r1 2 3\r4 5 6\r",
-                           "\xEF\xBB\xBFOFF # header\n\n# counts\n2 0 0 # two\n\n1 2 3#first\n  4\t5 6  \n\n# end\n",
-                           "STOFF\n2 0 0\n1 2 3 .5 .5\n4 5 6 .5 .5\n", "NOFF\n2 0 0\n1 2 3 0 0 1\n4 5 6 0 0 1\n",
-                           "STCNOFF\n2 0 0\n1 2 3 0 0 1 1 0 0 1 0 0\n4 5 6 0 0 1 1 0 0 1 0 0\n"}) {
+  for (const char* text :
+       {"OFF\n2 0 0\n1 2 3\n4 5 6\n", "OFF 2 0 0\n1 2 3\n4 5 6", "OFF2 0 0\n1 2 3\n4 5 6\n",
+        "off\n2 0 0\n1 2 3\n4 5 6\n", "OFF\r\n2 0\r\n1 2 3\r\n4 5 6\r\n", "OFF\r2 0 0\r1 2 3\r4 5 6\r",
+        "\xEF\xBB\xBFOFF # header\n\n# counts\n2 0 0 # two\n\n1 2 3#first\n  4\t5 6  \n\n# end\n",
+        "STOFF\n2 0 0\n1 2 3 .5 .5\n4 5 6 .5 .5\n", "NOFF\n2 0 0\n1 2 3 0 0 1\n4 5 6 0 0 1\n",
+        "STCNOFF\n2 0 0\n1 2 3 0 0 1 1 0 0 1 0 0\n4 5 6 0 0 1 1 0 0 1 0 0\n"}) {
     EXPECT_EQ(parse(text, "m.off"), expected) << text;
   }
 }

@@ -144,6 +144,38 @@ std::string complaint_of_folder(const Folder& folder) {
   return "none";
 }
 
+TEST(PieceFolders, SolidsOfStlArePiecesAndAPathNamesOne) {
+  const std::string folder = std::filesystem::temp_directory_path() / "fathom-solids";
+  std::filesystem::create_directory(folder);
+  const auto facet = [](const std::string& x) {
+    return "facet normal 0 0 1\nouter loop\nvertex " + x + " 0 0\nvertex 0 1 0\nvertex 0 0 1\nendloop\nendfacet\n";
+  };
+  const std::string file = folder + "/a.stl";
+  std::ofstream(file) << "solid left wall\n"
+                      << facet("1") << facet("2") << "endsolid left wall\nsolid\nendsolid\nsolid b\n"
+                      << facet("3") << "endsolid b\n";
+  const Body both = files::read_union(file, Decimals::exact);
+  ASSERT_EQ(both.pieces->size(), 2U) << "law: a solid without facets is no piece";
+  EXPECT_EQ((*both.pieces)[0].size(), 6U);
+  EXPECT_EQ(files::piece_name(both, 0), "left wall");
+  EXPECT_EQ(read_mesh(file).points.size(), 9U) << "law: without a name all of the file";
+  const Body one = read_mesh(file + "#b");
+  ASSERT_EQ(one.points.size(), 3U);
+  EXPECT_EQ(one.points[0], (Point{3, 0, 0}));
+  const auto refusal = [](const std::string& path) {
+    try {
+      read_mesh(path);
+      return std::string("none");
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+  };
+  EXPECT_EQ(refusal(file + "#c"), file + ": expected one mesh named 'c', found none among 'left wall', 'b'");
+  std::filesystem::rename(file, folder + "/a#b.stl");
+  EXPECT_EQ(read_mesh(folder + "/a#b.stl").points.size(), 9U) << "law: a file that is there is meant";
+  std::filesystem::remove_all(folder);
+}
+
 TEST(PieceFolders, BadOnesAreRefusedWithFileAndLine) {
   const Folder empty, bad, open;
   empty.add("a.mtl", "");

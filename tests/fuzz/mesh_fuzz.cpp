@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   const fathom::Decimals decimals = data[0] % 2 == 0 ? fathom::Decimals::binary64 : fathom::Decimals::exact;
-  const int format = data[0] / 2 % 6;
+  const int format = data[0] / 2 % 6;  // scenes are read in a process of their own: tests/cli/scene_mutants_test.py
   try {
     const fathom::Body body = format < 5
                                   ? fathom::parse_mesh(bytes, "m", decimals, static_cast<fathom::MeshFormat>(format))

@@ -3,6 +3,8 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +16,7 @@
 #include "fathom/certificate.hpp"
 #include "fathom/study.hpp"
 #include "kernels/context.hpp"
+#include "reference/files/piece_files.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/rounded/coordinates.hpp"
 #include "reference/shapes/body_notes.hpp"
@@ -203,6 +206,8 @@ py::dict counters_in_python(const PairAnswer& answer) {
 
 std::vector<std::string> notes(const PairAnswer& answer) {
   std::vector<std::string> result = answer.notes;
+  for (const Body* body : {&answer.a, &answer.b})
+    std::ranges::move(files::file_notes(*body), std::back_inserter(result));
   if (const std::optional<std::string> sizes = shapes::sizes_note(shapes::sizes_of(answer.a, answer.b)))
     result.push_back(*sizes);
   if (!answer.dents.empty()) result.push_back(answer.dents);
