@@ -195,7 +195,10 @@ Scaled scaled(const Certificate& certificate, Arithmetic arithmetic) {
   result.a = scaling.body(certificate.a);
   result.b = scaling.body(certificate.b);
   if (arithmetic == Arithmetic::of_any_size) return result;
-  const auto make_all_words = [&result] { return make_words(result.a) & make_words(result.b); };
+  const auto make_all_words = [&result] {
+    const bool a = make_words(result.a), b = make_words(result.b);
+    return a && b;
+  };
   if (make_all_words() || certificate.format != 1 || certificate.proof != Proof::facets) return result;
   leave_zeros_out(result);
   make_all_words();
