@@ -255,7 +255,7 @@ int fathom_depth(const fathom_body* a, const fathom_body* b, const fathom_option
 void fathom_answer_free(fathom_answer* answer) { delete answer; }
 
 const char* fathom_status_name(int status) {
-  if (status == FATHOM_UNDECIDED) return "undecided";
+  if (status == FATHOM_UNDECIDED) return fathom::name(std::optional<fathom::Status>()).data();
   return status < 0 || status > FATHOM_DISJOINT ? nullptr : fathom::name(static_cast<fathom::Status>(status)).data();
 }
 

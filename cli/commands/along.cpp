@@ -34,10 +34,6 @@ struct AlongRequest : DepthRequest {
   bool csv;
 };
 
-constexpr std::string_view open_status = "undecided";
-
-std::string_view status_text(const AlongStep& step) { return step.status ? name(*step.status) : open_status; }
-
 /// Returns "0.25", or "[0.24, 0.26]" if only bounds are known.
 std::string value_text(const AlongStep& step) {
   if (const Surd* exact = std::get_if<Surd>(&step.value)) return surd_text(*exact);
@@ -69,8 +65,8 @@ std::string course(const std::vector<AlongStep>& steps) {
     while (end < steps.size() && steps[end].status == steps[begin].status) ++end;
     const std::string first = exact_text(steps[begin].share), last = exact_text(steps[end - 1].share);
     if (!result.empty()) result += ", ";
-    result += end - begin == 1 ? fmt::format("{} at s = {}", status_text(steps[begin]), first)
-                               : fmt::format("{} from s = {} to {}", status_text(steps[begin]), first, last);
+    result += end - begin == 1 ? fmt::format("{} at s = {}", name(steps[begin].status), first)
+                               : fmt::format("{} from s = {} to {}", name(steps[begin].status), first, last);
   }
   return result;
 }
@@ -81,10 +77,10 @@ std::vector<plot::Series> series_of(const std::vector<AlongStep>& steps) {
   std::vector<plot::Series> series{{"signed depth", {}, true, false}};
   for (const Status status : {Status::penetrating, Status::touching, Status::disjoint})
     series.push_back({std::string(name(status)), {}, false});
-  series.push_back({std::string(open_status), {}, false});
+  series.push_back({std::string(name(std::optional<Status>())), {}, false});
   for (const AlongStep& step : steps) {
     const double x = step.share.get_d(), y = height(step);
-    std::string what = fmt::format("s = {}: {}, {}", exact_text(step.share), value_text(step), status_text(step));
+    std::string what = fmt::format("s = {}: {}, {}", exact_text(step.share), value_text(step), name(step.status));
     if (step.contact) what += fmt::format(", {}", name(step.contact->kind));
     series[0].places.push_back({x, y});
     series[step.status ? 1 + static_cast<std::size_t>(*step.status) : 4].places.push_back({x, y, what});
@@ -126,7 +122,7 @@ std::string along_text_header(const Path& path) {
 
 std::string along_text_row(const Path& path, const AlongStep& step) {
   std::string row = fmt::format("{:<{}}  {:<11}  {:<23}", exact_text(step.share), share_columns(path),
-                                status_text(step), value_text(step));
+                                name(step.status), value_text(step));
   if (step.contact) return row + fmt::format("  {}", name(step.contact->kind));
   row.resize(row.find_last_not_of(' ') + 1);
   return row;
@@ -136,7 +132,7 @@ std::string along_csv_header() { return "step,s,status,value,low,high,sign,root,
 
 std::string along_csv_row(const AlongStep& step) {
   const Surd* const exact = std::get_if<Surd>(&step.value);
-  std::string row = fmt::format("{},{},{},{},{},{},", step.number, exact_text(step.share), status_text(step),
+  std::string row = fmt::format("{},{},{},{},{},{},", step.number, exact_text(step.share), name(step.status),
                                 exact ? surd_text(*exact) : "", step.low, step.high);
   row += exact ? fmt::format("{},{},{}", sgn(exact->root), exact_text(abs(exact->root)), exact_text(exact->rational))
                : ",,";
@@ -225,7 +221,7 @@ Json along_object(const Path& path, const std::vector<AlongStep>& steps) {
     const bool told = exact_value && std::isfinite(nearest) && (nearest != 0 || sign(*exact_value) == 0);
     values.push_back({{"step", step.number},
                       {"s", Json::plain(exact_text(step.share))},
-                      {"status", status_text(step)},
+                      {"status", name(step.status)},
                       {"value", told ? Json(nearest) : Json()},
                       {"signed_depth", depth},
                       {"direction", output::exact(step.direction)},

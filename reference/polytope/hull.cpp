@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "kernels/float_environment.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::polytope {
@@ -269,6 +270,10 @@ Polytope convex_hull(std::span<const Vector> points) {
       return merge_coplanar(
           points, ids.size() <= few_points ? hull_triangles_of_few(points, ids) : hull_triangles(points, ids));
   }
+}
+
+Polytope hull_of(const std::vector<Point>& points) {
+  return convex_hull(place(points, std::span(points).first(std::min<std::size_t>(points.size(), 1))).a.points());
 }
 
 }  // namespace fathom::polytope

@@ -90,6 +90,9 @@ int affine_rank(std::span<const Vector> points);
 /// zero is positive. Throws std::invalid_argument when `points` is empty or holds 2^31 points or
 /// more.                                                                       [proofs/polytope.md]
 Polytope convex_hull(std::span<const Vector> points);
+/// The hull of points that no other body has to share a lattice with: `vertices` are in a unit of
+/// their own. Throws as `place` does.
+Polytope hull_of(const std::vector<Point>& points);
 
 /// Checks every law of the types above, Euler's formula, and convexity at every edge and every
 /// vertex: so far O(n log n), and enough for a convex polytope [proofs/polytope.md, lemma 4].

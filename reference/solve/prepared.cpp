@@ -65,7 +65,7 @@ struct Prepared::Parts {
 
   explicit Parts(const Body& given) : body(given), integers(aligned_points(given.points)) {
     const std::vector<Point>& points = body.points.exact();
-    const polytope::Polytope hull = polytope::convex_hull(polytope::place(points, points).a.points());
+    const polytope::Polytope hull = polytope::hull_of(points);
     extreme.assign(hull.input_ids.begin(), hull.input_ids.end());
     kept = extreme;
     if (hull.rank < 3) {

@@ -33,9 +33,7 @@ Depth solve(const Case& pair, Method method = Method::exact) {
   return penetration_depth(pair.a.points, pair.b.points, {.method = method, .validate = true});
 }
 
-int rank_of(const Body& body) {
-  return polytope::convex_hull(polytope::place(body.points, body.points).a.points()).rank;
-}
+int rank_of(const Body& body) { return polytope::hull_of(body.points).rank; }
 
 class EveryEntry : public ::testing::TestWithParam<CatalogueEntry> {};
 
@@ -122,7 +120,7 @@ TEST(Approach, IsGenericAndReproducible) {
   EXPECT_EQ(near.a.points, again.a.points);
   EXPECT_NE(near.a.points, other.a.points);
   EXPECT_EQ(near.id, "identical_cubes-k80-s1");
-  const polytope::Polytope hull = polytope::convex_hull(polytope::place(near.a.points, near.a.points).a.points());
+  const polytope::Polytope hull = polytope::hull_of(near.a.points);
   EXPECT_TRUE(std::ranges::all_of(hull.facets, [](const polytope::Facet& f) { return f.end - f.begin == 3; }))
       << "no coplanar points are left";
   EXPECT_EQ(solve(near).optima().size(), 1U) << "no tie is left";

@@ -24,9 +24,7 @@ inline std::string text(const kernels::Report& report) {
   return result;
 }
 
-inline polytope::Polytope hull_of(const Body& body) {
-  return polytope::convex_hull(polytope::place(body.points, body.points).a.points());
-}
+inline polytope::Polytope hull_of(const Body& body) { return polytope::hull_of(body.points); }
 
 /// The kernel of the charts; nobody reads its counts.
 inline kernels::PerturbedKernel kernel_of(const chart::Charts& charts) {

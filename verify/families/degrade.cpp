@@ -12,7 +12,6 @@
 #include "fathom/depth.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
-#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/polytope_pairs.hpp"
@@ -39,7 +38,7 @@ Body points_mapped(Body body, Map map) {
 }
 
 Features features(const Body& body) {
-  const polytope::Polytope hull = polytope::convex_hull(polytope::place(body.points, body.points).a.points());
+  const polytope::Polytope hull = polytope::hull_of(body.points);
   const auto vertex = [&](polytope::VertexId v) { return body.points[hull.input_ids[v]]; };
   Features result;
   for (const polytope::VertexId v : hull.vertices.ids()) result.vertices.push_back(vertex(v));

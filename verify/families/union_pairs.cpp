@@ -14,10 +14,6 @@
 namespace fathom::families {
 namespace {
 
-polytope::Polytope hull_of(const std::vector<Point>& points) {
-  return polytope::convex_hull(polytope::place(points, points).a.points());
-}
-
 Point mean_of(const std::vector<Point>& points) {
   Point sum{0, 0, 0};
   for (const Point& p : points) sum = sum + p;
@@ -58,12 +54,12 @@ bool is_flat(const std::vector<Point>& points) {
 
 std::vector<Point> hull_vertices(const std::vector<Point>& points) {
   std::vector<Point> vertices;
-  for (const std::uint32_t id : hull_of(points).input_ids) vertices.push_back(points[id]);
+  for (const std::uint32_t id : polytope::hull_of(points).input_ids) vertices.push_back(points[id]);
   return vertices;
 }
 
 Pieces cut_into_cones(const std::vector<Point>& body) {
-  const polytope::Polytope hull = hull_of(body);
+  const polytope::Polytope hull = polytope::hull_of(body);
   std::vector<Point> vertices;
   for (const std::uint32_t id : hull.input_ids) vertices.push_back(body[id]);
   const Point mean = mean_of(vertices);

@@ -22,7 +22,6 @@
 #include "kernels/messages.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/files/shape_names.hpp"
-#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/judge/fields.hpp"
 
@@ -468,7 +467,7 @@ JsonValue json_on(std::string_view line) {
 }
 
 Faces faces_of(const std::vector<Point>& points) {
-  const polytope::Polytope hull = polytope::convex_hull(polytope::place(points, points).a.points());
+  const polytope::Polytope hull = polytope::hull_of(points);
   Faces faces;
   if (hull.rank < 3) return faces;
   for (const polytope::Facet& facet : hull.facets) {

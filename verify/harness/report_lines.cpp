@@ -199,7 +199,7 @@ void take(const Read& json, Accuracy& value) {
 void take(const Read& json, std::optional<Status>& value) {
   const std::string& word = json.string();
   value = status_named(word);
-  if (!value && word != "undecided") throw Unreadable();
+  if (!value && word != name(value)) throw Unreadable();
 }
 void take(const Read& json, Triple& value) {
   for (std::size_t i = 0; i < value.size(); ++i) take(json.at(i), value[i]);

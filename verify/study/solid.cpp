@@ -11,7 +11,6 @@
 #include "kernels/nearest.hpp"
 #include "kernels/number/irrational.hpp"
 #include "kernels/vector.hpp"
-#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/shapes/core.hpp"
 
@@ -168,10 +167,6 @@ namespace {
 
 using Directions = std::set<Vector, kernels::NearestPlanes::LexicographicOrder>;
 
-polytope::Polytope hull_of(std::span<const Point> points) {
-  return polytope::convex_hull(polytope::place(points, points).b.points());
-}
-
 std::vector<Point> points_of(const Term& term) {
   std::vector<Point> points;
   for (const Atom& atom : term.atoms)
@@ -179,9 +174,9 @@ std::vector<Point> points_of(const Term& term) {
   return points;
 }
 
-Term term_of(std::span<const Point> points) {
+Term term_of(const std::vector<Point>& points) {
   Term term;
-  for (const std::uint32_t i : hull_of(points).input_ids) term.atoms.push_back({points[i], {}});
+  for (const std::uint32_t i : polytope::hull_of(points).input_ids) term.atoms.push_back({points[i], {}});
   return term;
 }
 
@@ -197,7 +192,7 @@ struct Candidates {
 
   void add(const Term& term) {
     if (const std::vector<Point> points = points_of(term); !points.empty()) {
-      const polytope::Polytope hull = hull_of(points);
+      const polytope::Polytope hull = polytope::hull_of(points);
       for (const polytope::Facet& facet : hull.facets) normals.insert(facet.normal);
       for (const polytope::Edge& edge : hull.edges)
         lines.insert(primitive(hull.vertices[edge.to] - hull.vertices[edge.from]));

@@ -6,7 +6,6 @@
 
 #include "fathom/files.hpp"
 #include "fathom/signed_depth.hpp"
-#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/shapes/core.hpp"
 
@@ -79,7 +78,7 @@ Bounds2 box_of(const Wires& wires, const View& view) {
 /// Returns nullopt if the hull would take too much memory, as with too many different denominators.
 std::optional<polytope::Polytope> hull_of(const std::vector<Point>& points) {
   try {
-    return polytope::convex_hull(polytope::place(points, points).a.points());
+    return polytope::hull_of(points);
   } catch (const InputError&) {
     return std::nullopt;
   }

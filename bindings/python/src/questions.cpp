@@ -84,7 +84,7 @@ py::object overlap_of(const py::object& a, const py::object& b, bool proof, cons
                                          [](const Body& first, const Body& second, const OverlapOptions& options) {
                                            return overlap(first, second, options);
                                          });
-  const py::str status(std::string(found.status ? name(*found.status) : "undecided"));
+  const py::str status(std::string(name(found.status)));
   if (!found.proof) return status;
   py::dict shown;
   if (found.proof->common) shown["common"] = fractions(*found.proof->common);
@@ -387,9 +387,7 @@ py::object in_python(const mpq_class& value) { return fraction(value); }
 py::object in_python(const Between& value) { return py::make_tuple(value.low, value.high); }
 py::object in_python(Verdict value) { return py::str(std::string(name(value))); }
 py::object in_python(Accuracy value) { return py::str(std::string(name(value))); }
-py::object in_python(const std::optional<Status>& value) {
-  return py::str(value ? std::string(name(*value)) : "undecided");
-}
+py::object in_python(const std::optional<Status>& value) { return py::str(std::string(name(value))); }
 py::object in_python(const UnionBounds& value) {
   return py::dict("squared"_a = fraction(value.deepest_pair), "pieces"_a = py::make_tuple(value.a, value.b));
 }

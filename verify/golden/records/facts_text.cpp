@@ -228,7 +228,7 @@ std::string_view status_of(const ShapeStatement& truth) {
   const Surd* const exact = std::get_if<Surd>(&truth.value);
   const Bounds* const bounds = std::get_if<Bounds>(&truth.value);
   const int low = exact ? sign(*exact) : sgn(bounds->low), high = exact ? low : sgn(bounds->high);
-  if (low != high) return "undecided";
+  if (low != high) return name(std::optional<Status>());
   return name(low > 0 ? Status::penetrating : low < 0 ? Status::disjoint : Status::touching);
 }
 

@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/seen_case.hpp"
@@ -21,7 +20,7 @@ namespace {
 // ----
 
 std::vector<Point> extreme(const std::vector<Point>& points) {
-  const polytope::Polytope hull = polytope::convex_hull(polytope::place(points, points).a.points());
+  const polytope::Polytope hull = polytope::hull_of(points);
   std::vector<Point> result;
   for (const std::uint32_t id : hull.input_ids) result.push_back(points[id]);
   return result;
