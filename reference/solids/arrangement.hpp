@@ -111,6 +111,12 @@ struct ChainEdge {
   [[nodiscard]] PointId to() const { return times > 0 ? high : low; }
 };
 
+/// The segment from one point to another one.
+inline ChainEdge edge_from_to(Arrangement& space, PointId p, PointId q) {
+  const LineId line = space.line(p, q);
+  return space.before(line, p, q) ? ChainEdge{line, p, q, 1} : ChainEdge{line, q, p, -1};
+}
+
 /// Where chains end, those that begin there taken away; or the opposite.
 struct ChainEnd {
   LineId line;

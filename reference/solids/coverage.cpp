@@ -16,7 +16,6 @@
 #include "fathom/solid.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
-#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/solids/arrangement.hpp"
 
@@ -43,7 +42,7 @@ long exponent_of(const Pieces& a, const Pieces& b) {
     for (const std::vector<Point>& piece : *pieces)
       for (const Point& p : piece)
         for (const mpq_class* c : {&p.x, &p.y, &p.z})
-          if (*c != 0) exponent = std::max(kernels::binary_order(*c) + 1, exponent.value_or(kernels::binary_order(*c)));
+          if (*c != 0) exponent = std::max(exponent, std::optional(kernels::binary_order(*c) + 1));  // none is least
   return exponent.value_or(0);
 }
 
@@ -54,8 +53,7 @@ std::vector<Cell> cells_of(Arrangement& space, const Pieces& pieces) {
     const std::vector<Point>& points = pieces[i];
     const std::string name = "piece " + std::to_string(i);
     if (points.empty()) throw std::invalid_argument(name + " has no points");
-    const polytope::Polytope hull =
-        polytope::convex_hull(polytope::place(points, std::span(points).first(1)).a.points());
+    const polytope::Polytope hull = polytope::hull_of(points);
     if (hull.rank < 3) throw std::invalid_argument(name + " is flat: pieces that cover a solid need interiors");
     std::vector<PointId> ids;
     for (const std::uint32_t k : hull.input_ids) ids.push_back(space.point_at(points[k]));
@@ -64,11 +62,8 @@ std::vector<Cell> cells_of(Arrangement& space, const Pieces& pieces) {
       const std::span<const polytope::VertexId> corners(&hull.corners[facet.begin], facet.end - facet.begin);
       const auto corner = [&](std::size_t k) { return ids[corners[k % corners.size()].value]; };
       facets.push_back({*space.plane(corner(0), corner(1), corner(2)), {}});
-      for (std::size_t k = 0; k < corners.size(); ++k) {
-        const PointId p = corner(k), q = corner(k + 1);
-        const LineId line = space.line(p, q);
-        facets.back().edges.push_back(space.before(line, p, q) ? ChainEdge{line, p, q, 1} : ChainEdge{line, q, p, -1});
-      }
+      for (std::size_t k = 0; k < corners.size(); ++k)
+        facets.back().edges.push_back(edge_from_to(space, corner(k), corner(k + 1)));
     }
     cells.push_back(cell_of(space, std::move(facets)));
   }
@@ -78,17 +73,15 @@ std::vector<Cell> cells_of(Arrangement& space, const Pieces& pieces) {
 using Cells = std::vector<Cell>;
 using Others = std::vector<const Cell*>;
 
-/// Convex parts of a cell.
-struct Parts {
-  Cells inside, outside;  ///< of at least one other cell; of all
-};
+/// The parts of a cell inside of at least one other, or outside of all.
+enum class Wanted { inside, outside };
 
 class Splitter {
  public:
   explicit Splitter(Arrangement& space) : space_(space), cutter_(space) {}
 
-  /// The parts of a cell inside and outside of others, which together tile it.
-  void split(Cell whole, const Others& others, Parts& parts) {
+  /// Adds the convex parts that are wanted of a cell to `parts`.
+  void split(Cell whole, const Others& others, Wanted wanted, Cells& parts) {
     std::vector<std::pair<Cell, Others>> todo;
     todo.emplace_back(std::move(whole), others);
     while (!todo.empty()) {
@@ -102,11 +95,11 @@ class Splitter {
         near.pop_back();
       }
       if (!cut) {
-        parts.outside.push_back(std::move(cell));
+        if (wanted == Wanted::outside) parts.push_back(std::move(cell));
         continue;
       }
       for (Chunk& part : cut->outside) todo.emplace_back(cell_of(space_, std::move(part)), near);
-      parts.inside.push_back(cell_of(space_, std::move(cut->inside)));
+      if (wanted == Wanted::inside) parts.push_back(cell_of(space_, std::move(cut->inside)));
     }
   }
 
@@ -249,22 +242,22 @@ PieceCoverage coverage(const Solid& solid, const Pieces& pieces) {
   const Cells tiles = cells_of(space, of_solid), given = cells_of(space, pieces);
   const Others all_given = pointers(given), all_tiles = pointers(tiles);
   Splitter splitter(space);
-  Parts of_tiles, with_earlier, first_outside;
+  Cells missing, overlapping, stray;
   PieceCoverage result;
-  for (const Cell& tile : tiles) splitter.split(tile, all_given, of_tiles);
+  for (const Cell& tile : tiles) splitter.split(tile, all_given, Wanted::outside, missing);
   for (std::size_t i = 0; i < given.size(); ++i) {
     const Others earlier = pointers(std::span(given).first(i));
-    splitter.split(given[i], earlier, with_earlier);
-    Parts of_piece;
-    splitter.split(given[i], all_tiles, of_piece);
-    result.outside_of.push_back(volume_of(space, of_piece.outside));
-    for (Cell& part : of_piece.outside) splitter.split(std::move(part), earlier, first_outside);
+    splitter.split(given[i], earlier, Wanted::inside, overlapping);
+    Cells outside;
+    splitter.split(given[i], all_tiles, Wanted::outside, outside);
+    result.outside_of.push_back(volume_of(space, outside));
+    for (Cell& part : outside) splitter.split(std::move(part), earlier, Wanted::outside, stray);
   }
-  result.missing = volume_of(space, of_tiles.outside);
-  result.outside = volume_of(space, first_outside.outside);
-  result.overlap = volume_of(space, with_earlier.inside);
-  result.uncovered = short_inner_point(space, exponent, of_tiles.outside);
-  result.stray = short_inner_point(space, exponent, first_outside.outside);
+  result.missing = volume_of(space, missing);
+  result.outside = volume_of(space, stray);
+  result.overlap = volume_of(space, overlapping);
+  result.uncovered = short_inner_point(space, exponent, missing);
+  result.stray = short_inner_point(space, exponent, stray);
   return result;
 }
 

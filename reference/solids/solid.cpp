@@ -82,14 +82,9 @@ class MeshChain {
     for (auto& [corners, side] : fan) {
       if (flat && !is_zero(sum)) side.reversed = lexicographically_less(sum, {0, 0, 0});
       triangles_.push_back(corners);
-      for (std::size_t k = 0; k < 3; ++k) add_edge(side, corners[k], corners[(k + 1) % 3]);
+      for (std::size_t k = 0; k < 3; ++k)
+        edges_[side].push_back(edge_from_to(space_, corners[k], corners[(k + 1) % 3]));
     }
-  }
-
-  void add_edge(PlaneSide side, PointId p, PointId q) {
-    const LineId line = space_.line(p, q);
-    if (space_.before(line, p, q)) edges_[side].push_back({line, p, q, 1});
-    else edges_[side].push_back({line, q, p, -1});
   }
 
   void turn() {
