@@ -85,8 +85,9 @@ FATHOM_API int fathom_body_from_numbers(const char* const* xyz, size_t count, fa
  * frustum, ellipsoid and halfspace too. docs/shapes.md lists their fields. */
 FATHOM_API int fathom_body_from_shape(const char* shape, int decimals, fathom_body** body);
 
-/** Reads the file of a mesh: OFF, OBJ, PLY, STL, or points alone. Its hull is the body: whether the
- * mesh is another one, fathom_answer_dents tells. */
+/** Reads the file of a mesh: OFF, OBJ, PLY, STL, glTF, COLLADA, 3MF, or points alone; "a.glb#name"
+ * is one mesh of several. Its hull is the body: whether the mesh is another one,
+ * fathom_answer_dents tells. */
 FATHOM_API int fathom_body_from_mesh(const char* path, int decimals, fathom_body** body);
 
 /** Makes the union of `count` convex pieces, from 1 to 2^31, each a body: the hull of points.

@@ -77,7 +77,7 @@ class Scenes(CliTest):
         self.assertIn("'twin', found 2 among", self.refused("depth", path + "#twin", path))
         self.assertIn("'lid', found none among", self.refused("depth", path + "#lid", path))
         apart = self.file("apart.glb", makers.glb(nodes=nodes[:2]))
-        self.assertEqual(len(self.result("solid", apart)["solid"]["pieces"]), 2)
+        self.assertEqual(self.result("solid", apart)["solid"]["pieces"], 2)
 
     def test_buffers_lie_beside_the_file(self):
         parts, buffer = makers.gltf_parts(uri="a%20b.bin")

@@ -179,9 +179,9 @@ TEST(PieceFolders, SolidsOfStlArePiecesAndAPathNamesOne) {
 TEST(PieceFolders, BadOnesAreRefusedWithFileAndLine) {
   const Folder empty, bad, open;
   empty.add("a.mtl", "");
-  EXPECT_EQ(
-      complaint_of_folder(empty),
-      empty.path() + ": expected a folder with mesh files (.off, .obj, .ply, .stl), the pieces, found none there");
+  EXPECT_EQ(complaint_of_folder(empty), empty.path() +
+                                            ": expected a folder with mesh files (.off, .obj, .ply, .stl, .gltf, .glb, "
+                                            ".dae, .3mf), the pieces, found none there");
   bad.add("a.off", off(1));
   bad.add("b.off", "OFF\n4 0 0\n0 0 0\n1 0 zero\n");
   EXPECT_EQ(complaint_of_folder(bad).substr(0, bad.path().size() + 9), bad.path() + "/b.off:4:");

@@ -92,7 +92,7 @@ def pose(quaternion: Triple = (1, 0, 0, 0), translation: Triple = (0, 0, 0)) -> 
 
 
 def read_mesh(path: str, decimals: str = "binary64") -> Body:
-    """The convex hull of the points of a mesh: OFF, OBJ, PLY, STL, or points alone.
+    """The convex hull of the points of a mesh: OFF, OBJ, PLY, STL, glTF, COLLADA, 3MF, or points alone; "a.glb#name" is one of several.
 
     decimals  what "0.1" in a text file stands for: "binary64", the nearest float, as other programs read it; or "exact", 1/10
     """
