@@ -8,6 +8,10 @@ cp "$here/assumptions.v" "$1/assumptions.v"
 cd "$1"
 coqc -R . Fathom assumptions.v >assumptions.out
 sed -n 's/^Print Assumptions \(.*\)\.$/\1/p' assumptions.v >assumptions.names
+# each theorem that printed.v names beside a definition is among them
+for name in $(grep -oE '\[[A-Za-z0-9_, ;]+\]\.? \*\)' printed.v | tr -d '[],;.*)'); do
+  grep -qx "$name" assumptions.names || { echo "printed.v names $name: not in assumptions.v"; exit 1; }
+done
 # one answer after the other: "Closed under the global context", or "Axioms:" and then a name at the start of each entry
 awk '
   /^Axioms:/ { answer[++n] = ""; next }

@@ -28,6 +28,7 @@ Print Assumptions width_depth.
 Print Assumptions facet_kinds.
 Print Assumptions naive_algorithm.
 Print Assumptions three_states.
+Print Assumptions meet_iff.
 Print Assumptions hull_comb.
 Print Assumptions depth_every_map.
 Print Assumptions depth_every_motion.
@@ -100,3 +101,4 @@ Print Assumptions halves_tile.
 Print Assumptions tilings_refused.
 Print Assumptions tilings_accepted.
 Print Assumptions crossing_means.
+Print Assumptions triangle_crossings.

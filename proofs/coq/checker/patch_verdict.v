@@ -59,7 +59,8 @@ Definition patched_verdict (width : bool) (m : Z) (rho : ratio) (A B : body poin
       match check_patches check ns (patches c) [] with
       | Some cs =>
           if match rates c with [] => true | _ => all && forallb (check_rate m cs) (rates c) end
-          then Some (Patched_statement s all (each (fun c => (integer_point (fst c), each (file_point m) (snd c))) cs) (rates c))
+          then Some (Patched_statement s all (each (fun c => (integer_point (fst c), each (file_point m) (snd c))) cs)
+            (rates c))
           else None
       | None => None
       end

@@ -1,5 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Of round and curved bodies, what the theorems say beside what is said in printed.v.  Definitions only. *)
+(* Of round and curved bodies, what the theorems say beside what is said in printed.v.
+   Definitions only. *)
 Require Import Reals List.
 From Fathom.checker Require Import body.
 From Fathom.geometry Require Import limits meaning.

@@ -35,7 +35,8 @@ Definition facet_direction (A B : list pt) (n : pt) : Prop :=
 Definition facet_at (A B : list pt) (q : R) (n : pt) : Prop :=
   facet_direction A B n /\ exists t, foot A B n t /\ norm2 t = q.
 Definition same_ray (n m : pt) : Prop := exists k, 0 < k /\ m = scal k n.
-(* P has exactly k facets at that distance: these are the directions of k, none twice, and any other is one of them *)
+(* P has exactly k facets at that distance: these are the directions of k, none twice, and any
+   other is one of them *)
 Definition facets_number (A B : list pt) (q : R) (k : Z) : Prop :=
   exists ns, Z.of_nat (length ns) = k /\ NoDup ns
     /\ (forall n, In n ns -> facet_at A B q n)

@@ -1,5 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What printed.v says of meshes, in the words of the proofs: its winding number is the sum of signs that the other files are about. *)
+(* What printed.v says of meshes, in the words of the proofs: its winding number is the sum of
+   signs that the other files are about. *)
 Require Import Reals Lra Psatz List ZArith Lia.
 From Fathom.geometry Require Import meaning space unions meshes crossings tilings.
 Import ListNotations.
@@ -17,9 +18,12 @@ Qed.
 
 Lemma generic_said : forall M x v, generic M x v <-> general M x v.
 Proof.
-  intros M x v. split; intros H T HT; destruct (H T HT) as [E|C]; auto; destruct (origin_dec (front T)) as [Z|N]; auto; right.
-  - destruct C as [F C]. destruct (front_distinct T N) as (N1 & N2 & N3). unfold clear. rewrite <- !and_assoc. split; auto.
-    unfold tips in C. simpl in C. assert (K : forall p q, p <> q -> (corner_1 T = p \/ corner_2 T = p \/ corner_3 T = p \/ False) ->
+  intros M x v. split; intros H T HT; destruct (H T HT) as [E|C]; auto; destruct (origin_dec (front T)) as [Z|N]; auto;
+    right.
+  - destruct C as [F C]. destruct (front_distinct T N) as (N1 & N2 & N3). unfold clear. rewrite <- !and_assoc. split;
+      auto.
+    unfold tips in C. simpl in C. assert (K : forall p q, p <> q -> (corner_1 T = p \/ corner_2 T = p \/ corner_3 T = p
+      \/ False) ->
       (corner_1 T = q \/ corner_2 T = q \/ corner_3 T = q \/ False) -> beside x v p q <> 0).
     { intros p q Npq Hp Hq. destruct (C p q Hp Hq); [contradiction|auto]. }
     split; [split|]; apply K; auto.
@@ -32,10 +36,14 @@ Lemma crossing_said : forall x v T k, front T = origin \/ clear x v T -> (crossi
 Proof.
   intros x v T k [E|C]; unfold crossing_is; cbv zeta.
   - rewrite crossing_flat, E by auto. replace (dot origin v) with 0 by (unfold dot; simpl; ring).
-    split; [intros [(_ & _ & L)|[(_ & _ & L)|[H _]]]; try lra; auto|]. intros ->. right; right. split; auto. intros [_ H]. auto.
-  - destruct (crossing_means x v T C) as [(E & H & L)|[(E & H & L)|(E & H)]]; rewrite E; fold (tips T) in H; fold (hits x v T) in H.
-    + split; [|intros ->; left; auto]. intros [(K & _)|[(_ & _ & L')|(_ & N)]]; auto; [lra|]. exfalso. apply N. split; auto. lra.
-    + split; [|intros ->; right; left; auto]. intros [(_ & _ & L')|[(K & _)|(_ & N)]]; auto; [lra|]. exfalso. apply N. split; auto. lra.
+    split; [intros [(_ & _ & L)|[(_ & _ & L)|[H _]]]; try lra; auto|]. intros ->. right; right. split; auto.
+      intros [_ H]. auto.
+  - destruct (crossing_means x v T C) as [(E & H & L)|[(E & H & L)|(E & H)]]; rewrite E; fold (tips T) in H;
+      fold (hits x v T) in H.
+    + split; [|intros ->; left; auto]. intros [(K & _)|[(_ & _ & L')|(_ & N)]]; auto; [lra|]. exfalso. apply N. split;
+        auto. lra.
+    + split; [|intros ->; right; left; auto]. intros [(_ & _ & L')|[(K & _)|(_ & N)]]; auto; [lra|]. exfalso. apply N.
+        split; auto. lra.
     + split; [|intros ->; right; right; tauto]. intros [(_ & N & _)|[(_ & N & _)|(K & _)]]; auto; contradiction.
 Qed.
 
@@ -66,11 +74,13 @@ Theorem tiled_said : forall M Ps, tiled M Ps ->
         norm2 (sub x p) < e * e /\ generic M x v /\ winding_is M x v n /\ (0 < n)%Z).
 Proof.
   intros M Ps (C & O & N & S). split; [|split].
-  - intros x v w n Gv Gw W. apply winding_said in W; auto. subst n. rewrite generic_said in Gv, Gw. split; [|apply O; auto].
+  - intros x v w n Gv Gw W. apply winding_said in W; auto. subst n. rewrite generic_said in Gv, Gw. split; [|apply O;
+      auto].
     apply winding_said; [apply generic_said; auto|]. apply C; auto.
   - intros x v n G I W. apply winding_said in W; auto. subst n. apply held_said, N; auto. apply generic_said. auto.
   - intros p. rewrite <- S. unfold solid_of. split; intros H e He; destruct (H e He) as (x & v & R).
-    + destruct R as (D & G & P0). apply generic_said in G. exists x, v, (winding M x v). split; auto. split; auto. split; auto.
+    + destruct R as (D & G & P0). apply generic_said in G. exists x, v, (winding M x v). split; auto. split; auto.
+        split; auto.
       apply winding_said; auto.
     + destruct R as (n & D & G & W & P0). exists x, v. apply winding_said in W; auto. subst n. split; auto. split; auto.
       apply generic_said. auto.

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The winding number of a mesh as a sum of signs of determinants, and its solid: that this is what printed.v says is shown in
-   geometry/crossings.v and geometry/tilings.v.  Definitions only. *)
+(* The winding number of a mesh as a sum of signs of determinants, and its solid. That this is what
+   printed.v says is shown in mesh_said.v. Definitions only. *)
 Require Import Reals List ZArith.
 From Fathom.geometry Require Import meaning unions.
 Import ListNotations.

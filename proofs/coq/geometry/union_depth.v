@@ -1,7 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Unions of convex pieces have just one depth: overlapping ones a depth, those that touch 0, and others a distance. *)
+(* Unions of convex pieces have just one depth: overlapping ones a depth, those that touch 0, and
+   others a distance. *)
 Require Import Reals Lra Psatz List.
-From Fathom.geometry Require Import meaning space hulls flats facets norm difference depth minkowski unions limits compact curved seams said.
+From Fathom.geometry Require Import meaning space hulls flats facets norm difference depth minkowski unions limits
+  compact curved seams said.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -13,10 +15,12 @@ Proof.
   (* the least value in the ball of radius r, as a function of r *)
   assert (L : forall r, lipschitz (Rabs r) (fun u => g (scal r u))).
   { intros r. split; [apply Rabs_pos|]. intros p q. specialize (Hg (scal r p) (scal r q)).
-    replace (sub (scal r p) (scal r q)) with (scal r (sub p q)) in Hg by (pteq; ring). rewrite norm_scal_abs in Hg. lra. }
+    replace (sub (scal r p) (scal r q)) with (scal r (sub p q)) in Hg by (pteq; ring). rewrite norm_scal_abs in Hg.
+      lra. }
   set (best := fun r => proj1_sig (attains_ball _ _ (L r))). set (m := fun r => g (scal r (best r))).
   assert (B : forall r, norm (best r) <= 1 /\ forall u, norm u <= 1 -> m r <= g (scal r u)).
-  { intros r. unfold m, best. destruct (attains_ball _ _ (L r)) as (u & Hu & M). simpl. split; [apply unit_ball_norm; auto|].
+  { intros r. unfold m, best. destruct (attains_ball _ _ (L r)) as (u & Hu & M). simpl. split; [apply unit_ball_norm;
+      auto|].
     intros w Hw. apply M, unit_ball_norm. auto. }
   clearbody best. assert (near : forall r q, m r <= m q + Rabs (r - q)).
   { intros r q. destruct (B r) as [_ M]. destruct (B q) as [N _]. specialize (M (best q) N).
@@ -33,7 +37,8 @@ Proof.
   { apply norm_pos. intros ->. lra. }
   assert (Ms : m (norm s) <= 0). { apply Rle_trans with (g s); auto. apply inside; auto. lra. }
   destruct (nested (fun a b => 0 <= a /\ 0 < m a /\ m b <= 0)) with (a := 0) (b := norm s) as (x & Hx); try lra.
-  { intros a b Lab (A & Ma & Mb). destruct (Rlt_dec 0 (m ((a + b) / 2))) as [X|X]; [right|left]; repeat split; auto; lra. }
+  { intros a b Lab (A & Ma & Mb). destruct (Rlt_dec 0 (m ((a + b) / 2))) as [X|X]; [right|left]; repeat split; auto;
+      lra. }
   assert (Mx : m x <= 0).
   { apply le_by_small. intros e He. destruct (Hx e He) as (c & d & _ & C & _ & W & _ & _ & Md). assert (N := near x d).
     rewrite Rabs_left1 in N by lra. lra. }
@@ -64,14 +69,16 @@ Qed.
 Lemma high_positive : forall Fs t, 0 < high Fs t <-> exists F, In F Fs /\ 0 < low F t.
 Proof.
   induction Fs as [|F Fs IH]; intros t; simpl; [split; [lra|intros (F & [] & _)]|]. specialize (IH t). split.
-  - unfold Rmax. destruct (Rle_dec _ _); intros H; [apply IH in H; destruct H as (G & I & H); exists G; auto|exists F; auto].
+  - unfold Rmax. destruct (Rle_dec _ _); intros H; [apply IH in H; destruct H as (G & I & H); exists G; auto|exists F;
+      auto].
   - intros (G & [<-|I] & H); [eapply Rlt_le_trans; [exact H|apply Rmax_l]|].
     eapply Rlt_le_trans; [apply IH; exists G; eauto|apply Rmax_r].
 Qed.
 Lemma low_lipschitz : forall F, (forall f, In f F -> norm (fst f) = 1) -> lipschitz 1 (low F).
 Proof.
   intros F H. split; [lra|]. intros p q. rewrite Rmult_1_l. assert (N := norm_nonneg (sub p q)).
-  induction F as [|f F IH]; simpl; [lra|]. assert (L : low F p - low F q <= norm (sub p q)) by (apply IH; intros; apply H; simpl; auto).
+  induction F as [|f F IH]; simpl; [lra|]. assert (L : low F p - low F q <= norm (sub p q)) by (apply IH; intros;
+    apply H; simpl; auto).
   assert (D := dot_le_norm (fst f) (sub q p)). rewrite dot_sub_r, (norm_opp q p), (H f (or_introl eq_refl)) in D.
   unfold Rmin. repeat destruct (Rle_dec _ _); lra.
 Qed.
@@ -90,7 +97,8 @@ Section Unions.
   Hypothesis HA : solid_pieces As.
   Hypothesis HB : solid_pieces Bs.
 
-  Lemma pair_interior : forall A B, (exists p, interior (conv A) p) -> (exists p, interior (conv B) p) -> exists t, interior (P A B) t.
+  Lemma pair_interior : forall A B, (exists p, interior (conv A) p) -> (exists p, interior (conv B) p) -> exists t,
+    interior (P A B) t.
   Proof.
     intros A B (a & Ha) (b & Hb). exists (sub b a). apply pair_interiors; eauto. exists b. split; auto.
     apply interior_translate. replace (sub b (sub b a)) with a by (pteq; ring). auto.
@@ -112,16 +120,19 @@ Section Unions.
         - apply Rmult_lt_reg_r in H; auto.
         - apply Rmult_lt_compat_r; auto. }
       intros t. rewrite low_positive. split.
-      + intros I g Ig. apply in_map_iff in Ig. destruct Ig as (f & <- & If). simpl. apply E; auto. apply Rnot_le_lt. intros X.
+      + intros I g Ig. apply in_map_iff in Ig. destruct Ig as (f & <- & If). simpl. apply E; auto. apply Rnot_le_lt.
+          intros X.
         destruct (Pl f If) as [Hn Hh]. exact (beyond_not_interior A B (fst f) (snd f) t Hn Hh X I).
       + intros H. apply interior_P_conv. destruct (interior_or_facet _ F F2 t) as [I|(f & If & X)]; auto. exfalso.
         specialize (H _ (in_map _ _ _ If)). simpl in H. apply E in H; auto. lra.
   Qed.
 
   (* of all pairs at once *)
-  Lemma all_planes : exists Fs, (forall F f, In F Fs -> In f F -> norm (fst f) = 1) /\ forall t, overlap_at As Bs t <-> 0 < high Fs t.
+  Lemma all_planes : exists Fs, (forall F f, In F Fs -> In f F -> norm (fst f) = 1) /\ forall t,
+    overlap_at As Bs t <-> 0 < high Fs t.
   Proof.
-    assert (K : forall l, (forall x, In x l -> In (fst x) As /\ In (snd x) Bs) -> exists Fs, (forall F f, In F Fs -> In f F -> norm (fst f) = 1)
+    assert (K : forall l, (forall x, In x l -> In (fst x) As /\ In (snd x) Bs) -> exists Fs, (forall F f, In F Fs ->
+      In f F -> norm (fst f) = 1)
       /\ forall t, (exists x, In x l /\ interior (P (fst x) (snd x)) t) <-> 0 < high Fs t).
     { induction l as [|x l IH]; intros H.
       - exists []. split; [intros F f []|]. intros t. simpl. split; [intros (x & [] & _)|lra].
@@ -142,7 +153,8 @@ Section Unions.
 
   Lemma pieces_filled : forall Ls L, solid_pieces Ls -> In L Ls -> L <> [].
   Proof.
-    intros Ls L [_ H] IL ->. destruct (H [] IL) as (p & Hp). apply interior_in in Hp. apply (Hp (fun _ => False)); [intros u v l _ []|].
+    intros Ls L [_ H] IL ->. destruct (H [] IL) as (p & Hp). apply interior_in in Hp. apply (Hp (fun _ => False));
+      [intros u v l _ []|].
     intros s [].
   Qed.
 
@@ -151,10 +163,12 @@ Section Unions.
     /\ forall q, difference_of (union Bs) (union As) q -> norm2 p <= norm2 q.
   Proof.
     assert (K : forall l : list (list pt * list pt), l <> [] -> (forall x, In x l -> fst x <> [] /\ snd x <> []) ->
-      exists p, (exists x, In x l /\ gap_set (fst x) (snd x) p) /\ forall q, (exists x, In x l /\ gap_set (fst x) (snd x) q) -> norm p <= norm q).
+      exists p, (exists x, In x l /\ gap_set (fst x) (snd x) p) /\ forall q, (exists x, In x l
+        /\ gap_set (fst x) (snd x) q) -> norm p <= norm q).
     { induction l as [|x l IH]; [congruence|]. intros _ H. destruct (H x (or_introl eq_refl)) as [NA NB].
       destruct (attains_gaps _ _ NA NB norm 1) as (p & Hp & M).
-      { split; [lra|]. intros p q. assert (T := norm_triangle (sub p q) q). replace (add (sub p q) q) with p in T by (pteq; ring). lra. }
+      { split; [lra|]. intros p q. assert (T := norm_triangle (sub p q) q).
+          replace (add (sub p q) q) with p in T by (pteq; ring). lra. }
       destruct l as [|y l].
       - exists p. split; [exists x; simpl; auto|]. intros q (z & [<-|[]] & Hq). auto.
       - destruct IH as (p' & (z & Iz & Hz) & M'); [discriminate|intros; apply H; simpl; auto|].
@@ -163,14 +177,18 @@ Section Unions.
           apply Rle_trans with (norm p'); auto. apply M'. exists w. auto.
         + exists p'. split; [exists z; simpl in *; auto|]. intros q (w & [<-|Iw] & Hq); [|apply M'; exists w; auto].
           specialize (M q Hq). lra. }
-    assert (E : forall q, difference_of (union Bs) (union As) q <-> exists x, In x (list_prod As Bs) /\ gap_set (fst x) (snd x) q).
+    assert (E : forall q, difference_of (union Bs) (union As) q <-> exists x, In x (list_prod As Bs)
+      /\ gap_set (fst x) (snd x) q).
     { intros q. split.
-      - intros (b & a & (B & IB & Hb) & (A & IA & Ha) & Eq). exists (A, B). split; [apply in_prod_iff; auto|]. exists b, a. auto.
-      - intros ([A B] & I & b & a & Hb & Ha & Eq). apply in_prod_iff in I. exists b, a. split; [exists B; tauto|]. split; [exists A; tauto|auto]. }
+      - intros (b & a & (B & IB & Hb) & (A & IA & Ha) & Eq). exists (A, B). split; [apply in_prod_iff; auto|].
+          exists b, a. auto.
+      - intros ([A B] & I & b & a & Hb & Ha & Eq). apply in_prod_iff in I. exists b, a. split; [exists B; tauto|].
+          split; [exists A; tauto|auto]. }
     destruct (K (list_prod As Bs)) as (p & Hp & M).
     - destruct HA as [NA _], HB as [NB _]. destruct As; [congruence|]. destruct Bs; [congruence|]. discriminate.
     - intros [A B] I. apply in_prod_iff in I. split; [apply (pieces_filled As)|apply (pieces_filled Bs)]; tauto.
-    - exists p. split; [apply E; auto|]. intros q Hq. apply E, M in Hq. rewrite <- !norm_sqr. assert (N := norm_nonneg p).
+    - exists p. split; [apply E; auto|]. intros q Hq. apply E, M in Hq. rewrite <- !norm_sqr.
+        assert (N := norm_nonneg p).
       apply Rmult_le_compat; auto.
   Qed.
 
@@ -193,12 +211,14 @@ Section Unions.
         - assert (X : dot (scal (-1) e) p <= r); [|rewrite dot_scal_l in X; lra].
           revert p Hp. apply hull_halfspace. intros s Is. apply G, abs_bounds in Is. rewrite dot_scal_l. lra.
         - revert p Hp. apply hull_halfspace. intros s Is. apply G, abs_bounds in Is. lra. }
-      induction Ls as [|L Ls (r & IH)]; [exists 0; intros p (L & [] & _)|]. destruct (one L) as (k & Hk). exists (Rmax r k).
+      induction Ls as [|L Ls (r & IH)]; [exists 0; intros p (L & [] & _)|]. destruct (one L) as (k & Hk).
+        exists (Rmax r k).
       intros p (M & [<-|IM] & Hp); [eapply Rle_trans; [apply Hk; auto|apply Rmax_r]|].
       eapply Rle_trans; [apply IH; exists M; auto|apply Rmax_l]. }
     destruct (K As (or_introl HA)) as (r & Hr). destruct (K Bs (or_introl HB)) as (k & Hk).
     exists (scal (r + k + 1) e). intros I. apply overlap_difference in I. destruct I as (b & a & Hb & Ha & E).
-    apply Hr, abs_bounds in Ha. apply Hk, abs_bounds in Hb. apply (f_equal (dot e)) in E. rewrite dot_scal_r, dot_sub_r in E.
+    apply Hr, abs_bounds in Ha. apply Hk, abs_bounds in Hb. apply (f_equal (dot e)) in E.
+      rewrite dot_scal_r, dot_sub_r in E.
     assert (One : dot e e = 1) by (unfold e, dot; simpl; ring). rewrite One in E. lra.
   Qed.
 
@@ -223,7 +243,8 @@ Section Unions.
     - assert (NO : ~ overlap_at As Bs origin) by (rewrite E; auto). destruct nearest_pair as (p & Hp & M).
       destruct (Req_dec (norm2 p) 0) as [Z|Z].
       + exists 0. right; left. split; auto. split; auto. rewrite <- (norm2_zero p Z). auto.
-      + exists (- norm2 p). right; right. assert (Np := norm2_nonneg p). rewrite Ropp_involutive. split; [lra|]. split; auto.
+      + exists (- norm2 p). right; right. assert (Np := norm2_nonneg p). rewrite Ropp_involutive. split; [lra|]. split;
+          auto.
         exists p. auto.
   Qed.
 End Unions.

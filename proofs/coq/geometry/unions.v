@@ -1,5 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Of unions of convex pieces, what the theorems say beside what is said in printed.v.  Definitions only. *)
+(* Of unions of convex pieces, what the theorems say beside what is said in printed.v.
+   Definitions only. *)
 Require Import Reals List.
 From Fathom.geometry Require Import meaning.
 Open Scope R_scope.

@@ -33,10 +33,13 @@ Definition scale_body (k : R) (b : body pt R) : body pt R := map_body (scal k) (
 
 Lemma scale_back : forall k b, 0 < k -> scale_body (/ k) (scale_body k b) = b.
 Proof.
-  intros k [c r] Hk. assert (E : forall u, scal (/ k) (scal k u) = u) by (intros; rewrite scal_scal, Rinv_l by lra; apply scal_1).
-  unfold scale_body, map_body. cbn [core_of radius]. f_equal; [|field; lra]. destruct c as [L|ts|n d]; cbn [map_core]; rewrite ?each_map, ?map_map; f_equal.
+  intros k [c r] Hk. assert (E : forall u, scal (/ k) (scal k u) = u) by (intros; rewrite scal_scal, Rinv_l by lra;
+    apply scal_1).
+  unfold scale_body, map_body. cbn [core_of radius]. f_equal; [|field; lra]. destruct c as [L|ts|n d]; cbn [map_core];
+    rewrite ?each_map, ?map_map; f_equal.
   - rewrite <- (map_id L) at 2. apply map_ext. auto.
-  - rewrite <- (map_id ts) at 2. apply map_ext. intros t. rewrite !each_map, map_map. rewrite <- (map_id t) at 2. apply map_ext.
+  - rewrite <- (map_id ts) at 2. apply map_ext. intros t. rewrite !each_map, map_map. rewrite <- (map_id t) at 2.
+      apply map_ext.
     intros [a u v w]. unfold map_atom. cbn [center axis_u axis_v axis_w]. rewrite !E. auto.
   - auto.
   - field. lra.

@@ -26,7 +26,8 @@ Qed.
 Lemma directed_unit : forall n, inj n <> origin -> directed (real (integer_point n)) (unit_of n).
 Proof.
   intros n Hn. split; [apply norm2_unit; auto|]. assert (P0 := norm_pos _ Hn). exists (1 / norm (inj n)).
-  split; [apply Rdiv_lt_0_compat; lra|]. unfold unit_of, along, real, integer_point, value. cbn [qx qy qz num den]. f_equal.
+  split; [apply Rdiv_lt_0_compat; lra|]. unfold unit_of, along, real, integer_point, value. cbn [qx qy qz num den].
+    f_equal.
   unfold inj. f_equal; field.
 Qed.
 
@@ -300,14 +301,17 @@ Proof.
     - intros n I0. rewrite <- Fst in I0. apply in_map_iff in I0. destruct I0 as ((k & ends) & <- & I0).
       destruct (Patch k ends I0) as (_ & _ & O & _). exact O.
     - rewrite <- Fst in I0. apply in_map_iff in I0. destruct I0 as ((k & ends) & <- & I0). exists k, ends. auto. }
-  split; [exact Says|]. exists d. cbn [depth_says whole corners_at rates_are]. split; [apply signed_depth_said; exact Cores|].
+  split; [exact Says|]. exists d. cbn [depth_says whole corners_at rates_are]. split; [apply signed_depth_said;
+    exact Cores|].
   rewrite each_map. split; [|split; [|split]].
   - intros n ps I0. apply in_map_iff in I0. destruct I0 as ((k & ends) & K & I0). inversion K. subst. cbn [fst snd].
     exists (unit_of k). rewrite each_map. split; [apply directed_unit|]; apply (Patch k ends); auto.
-  - intros Ha u Hu. destruct (Whole Ha u Hu) as (n & ends & I0 & ->). exists (integer_point n), (each (file_point m) ends). split.
+  - intros Ha u Hu. destruct (Whole Ha u Hu) as (n & ends & I0 & ->). exists (integer_point n), (each (file_point m)
+      ends). split.
     + apply in_map_iff. exists (n, ends). auto.
     + apply directed_unit, (Patch n ends). auto.
-  - intros st' q rho' k cone' Eq. rewrite St in Eq. inversion Eq. subst. rewrite map_length. rewrite map_length in Count. auto.
+  - intros st' q rho' k cone' Eq. rewrite St in Eq. inversion Eq. subst. rewrite map_length.
+      rewrite map_length in Count. auto.
   - intros r Ir. destruct (rates c) as [|r0 rs] eqn:Rc; [contradiction|]. apply andb_true_iff in R0.
     destruct R0 as [Ha R0]. exists (signed_root (value (rate_square r))). split; [apply signed_sqr_root|].
     apply (rate_says m _ _ Hm d qs); auto. exact (forallb_In _ _ _ R0 r Ir).

@@ -26,7 +26,8 @@ Proof.
     { rewrite map_map. apply map_ext. intros n. rewrite <- along_scal. f_equal. ring. }
     rewrite E. apply Injective_map_NoDup; auto. intros u v E'.
     rewrite <- (scal_inv' (s + r) u), <- (scal_inv' (s + r) v), E' by lra. auto.
-  - intros t. change (In t (map (fun n => along n (s + r)) ns) <-> way_out (thick S r) (s + r) t). symmetry. rewrite in_map_iff. split.
+  - intros t. change (In t (map (fun n => along n (s + r)) ns) <-> way_out (thick S r) (s + r) t). symmetry.
+      rewrite in_map_iff. split.
     + intros W. apply ways_out_overlap in W; auto. destruct (H _ W) as (n & In0 & E). exists n. split; auto.
       replace (s + r) with ((s + r) / s * s) by (field; lra). rewrite along_scal, <- E, scal_scal.
       replace ((s + r) / s * (s / (s + r))) with 1 by (field; lra). apply scal_1.
@@ -47,7 +48,8 @@ Qed.
 Lemma status_of_root_sound : forall s rho, (0 < den s)%Z -> (0 < den rho)%Z ->
   sign_is (status_of_root s rho) (signed_root (value s) + value rho).
 Proof.
-  intros [sn sd] [rn rd] Hs Hr. unfold value. cbn [num den] in *. assert (Ps := IZR_pos _ Hs). assert (Pr := IZR_pos _ Hr).
+  intros [sn sd] [rn rd] Hs Hr. unfold value. cbn [num den] in *. assert (Ps := IZR_pos _ Hs).
+    assert (Pr := IZR_pos _ Hr).
   unfold status_of_root. cbn [num den]. set (v := signed_root (IZR sn / IZR sd) + IZR rn / IZR rd) in *.
   (* the two signed squares over one denominator *)
   assert (X : IZR (signed_square rn * sd) = signed_sqr (IZR rn / IZR rd) * (IZR rd * IZR rd * IZR sd)).
@@ -70,11 +72,13 @@ Qed.
 Lemma status_between_sound : forall lo hi v, (0 < den lo)%Z -> (0 < den hi)%Z -> value lo <= v <= value hi ->
   sign_is (status_between lo hi) v.
 Proof.
-  intros [ln ld] [hn hd] v Hl Hh B. unfold value in *. cbn [num den] in *. assert (Pl := IZR_pos _ Hl). assert (Ph := IZR_pos _ Hh).
+  intros [ln ld] [hn hd] v Hl Hh B. unfold value in *. cbn [num den] in *. assert (Pl := IZR_pos _ Hl).
+    assert (Ph := IZR_pos _ Hh).
   unfold status_between. cbn [num]. destruct (0 <? ln)%Z eqn:E1.
   - apply Z.ltb_lt, IZR_pos in E1. assert (0 < IZR ln / IZR ld) by (apply Rdiv_lt_0_compat; auto). simpl. lra.
   - destruct (hn <? 0)%Z eqn:E2.
     + apply Z.ltb_lt, IZR_lt in E2. assert (0 < - IZR hn / IZR hd) by (apply Rdiv_lt_0_compat; lra).
       replace (- IZR hn / IZR hd) with (- (IZR hn / IZR hd)) in H by (field; lra). simpl. lra.
-    + destruct ((ln =? 0) && (hn =? 0))%Z eqn:E3; simpl; auto. bsplit. subst. unfold Rdiv in B. rewrite !Rmult_0_l in B. lra.
+    + destruct ((ln =? 0) && (hn =? 0))%Z eqn:E3; simpl; auto. bsplit. subst. unfold Rdiv in B.
+        rewrite !Rmult_0_l in B. lra.
 Qed.

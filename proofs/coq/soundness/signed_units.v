@@ -41,7 +41,8 @@ Section Units.
   Qed.
   Lemma comparable_back : comparable (map_core inj IZR (core_of ZA)) (map_core inj IZR (core_of ZB)) -> comparable (core_of A) (core_of B).
   Proof.
-    assert (PA := f_equal (@core_of _ _) EA). assert (PB := f_equal (@core_of _ _) EB). simpl in PA, PB. rewrite PA, PB. apply comparable_scal.
+    assert (PA := f_equal (@core_of _ _) EA). assert (PB := f_equal (@core_of _ _) EB). simpl in PA, PB.
+      rewrite PA, PB. apply comparable_scal.
   Qed.
   Lemma zgaps_back : forall p, G p -> core_gaps A B (scal (/ IZR m) p).
   Proof. intros p H. apply zgaps_core. rewrite scal_back by (apply IZR_pos; auto). auto. Qed.

@@ -23,7 +23,8 @@ Definition slot (n d : zvec) (i : N) := Z.to_pos (1 + code n + 4096 * (code d + 
 Definition judged := tiling_verdict (fun _ => 1) slot.
 Definition halves := [Tile [0; 1; 2; 3] sides; Tile [0; 1; 3; 4] sides]%N.
 
-Theorem halves_tile : says_tiling (map (real_triangle corners) mesh) (map (real_tile corners) halves) (Tiling_statement 4 2).
+Theorem halves_tile :
+  says_tiling (map (real_triangle corners) mesh) (map (real_tile corners) halves) (Tiling_statement 4 2).
 Proof. apply (tiling_verdict_sound (fun _ => 1) slot). vm_compute. reflexivity. Qed.
 
 (* a piece left out, twice, or turned; a triangle left out, turned, or of no point; a point moved; all of it left out; and without hints *)

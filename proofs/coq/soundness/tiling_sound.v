@@ -3,7 +3,8 @@
    outside; what the table sums to is the difference of the mesh's flags and the facets'. *)
 Require Import Reals Lra Psatz List ZArith Lia Bool.
 From Fathom.checker Require Import vector sequence table polytope verdict tiling.
-From Fathom.geometry Require Import meaning space hulls faces flats facets norm unions meshes crossings tiles tiles_winding tilings mesh_said.
+From Fathom.geometry Require Import meaning space hulls faces flats facets norm unions meshes crossings tiles
+  tiles_winding tilings mesh_said.
 From Fathom.soundness Require Import statement booleans lower verdict_sound union_cuts.
 Import ListNotations.
 Open Scope R_scope.
@@ -122,7 +123,8 @@ Section Table.
   Let spot := point_at points.
 
   Definition flag_of (e : entry) : flag := Flag (inj (entry_normal e)) (inj (entry_direction e)) (spot (entry_point e)).
-  Definition worth (phi : flag -> Z) (t : table entry) : Z := table.sum_of (fun e => (entry_sum e * phi (flag_of e))%Z) t.
+  Definition worth (phi : flag -> Z) (t : table entry) : Z := table.sum_of (fun e => (entry_sum e * phi (flag_of e))%Z)
+    t.
   (* t' is what is in the table before, and g *)
   Definition adds (before : option (table entry)) (t' : table entry) (g : (flag -> Z) -> Z) : Prop :=
     exists t, before = Some t /\ forall phi, of_flags phi -> worth phi t' = (worth phi t + g phi)%Z.
@@ -174,7 +176,8 @@ Section Table.
 
   Lemma spot_real : forall i p, member P i = Some p -> spot i = real p.
   Proof.
-    intros i p H. unfold P in H. rewrite member_nth in H. unfold spot, point_at. apply nth_error_nth. apply map_nth_error. exact H.
+    intros i p H. unfold P in H. rewrite member_nth in H. unfold spot, point_at. apply nth_error_nth.
+      apply map_nth_error. exact H.
   Qed.
   Lemma real_integral : forall m p, (0 < m)%Z -> fits m p = true -> real p = scal (/ IZR m) (inj (integral m p)).
   Proof.
@@ -419,14 +422,16 @@ Proof.
   - right. split; auto.
 Qed.
 
-Theorem tiling_verdict_tiled : forall common slot points mesh tiles s, tiling_verdict common slot points mesh tiles = Some s ->
+Theorem tiling_verdict_tiled : forall common slot points mesh tiles s,
+  tiling_verdict common slot points mesh tiles = Some s ->
   tiled (map (real_triangle points) mesh) (map (real_tile points) tiles)
   /\ says_tiling (map (real_triangle points) mesh) (map (real_tile points) tiles) s.
 Proof.
   intros common slot points mesh tiles s H. unfold tiling_verdict, sums in H. destruct tiles as [|q0 tiles0] eqn:Et; [discriminate|].
   rewrite <- Et in *. assert (Ne : tiles <> []) by (rewrite Et; discriminate). clear Et q0 tiles0. cbv zeta in H.
   destruct (fold_left _ tiles _) as [t|] eqn:E; [|discriminate]. destruct (all_entries _ t) eqn:Z; [|discriminate].
-  inversion H. subst s. clear H. unfold says_tiling. cbn [triangles_told pieces_told]. rewrite !count_length, !map_length.
+  inversion H. subst s. clear H. unfold says_tiling. cbn [triangles_told pieces_told].
+    rewrite !count_length, !map_length.
   apply add_tiles_sound in E. destruct E as (Ns & F & (t1 & E1 & K1)).
   assert (A := adds_fold points _ (add_triangle common slot (numbered points)) (fun ijk phi => triangle_sum phi (real_triangle points
     ijk)) mesh
@@ -436,7 +441,8 @@ Proof.
     Ns)).
   { intros phi Hp. assert (W : worth points phi t = 0%Z).
     { apply (sum_zero _ _ _ _ Z). intros e He. apply Z.eqb_eq in He. rewrite He. ring. }
-    rewrite K1, K0 in W by auto. rewrite total_map. change (worth points phi Empty) with 0%Z in W. unfold numbers_of_triangle in W. cbv beta in W. lia. }
+    rewrite K1, K0 in W by auto. rewrite total_map. change (worth points phi Empty) with 0%Z in W.
+      unfold numbers_of_triangle in W. cbv beta in W. lia. }
   set (Ls := map (real_tile points) tiles) in *.
   assert (FL : forall L, In L Ls -> exists N, tile_facts L N).
   { clear - F. induction F as [|L N Ls Ns FN _ IH]; [intros L []|]. intros L' [<-|HL]; eauto. }
@@ -450,6 +456,7 @@ Proof.
   - intros L HL. destruct (FL L HL) as (N & FN). apply FN.
 Qed.
 
-Theorem tiling_verdict_sound : forall common slot points mesh tiles s, tiling_verdict common slot points mesh tiles = Some s ->
+Theorem tiling_verdict_sound : forall common slot points mesh tiles s,
+  tiling_verdict common slot points mesh tiles = Some s ->
   says_tiling (map (real_triangle points) mesh) (map (real_tile points) tiles) s.
 Proof. intros common slot points mesh tiles s H. apply (tiling_verdict_tiled common slot). exact H. Qed.

@@ -52,11 +52,14 @@ Proof.
   apply union_check_sound in C. unfold union_meaning in C. cbv zeta in C. rewrite !pieces_real in C by auto. destruct C as (SA & SB & C).
   split; auto. split; auto. cbn [pieces_a pieces_b union_says].
   unfold real_pieces. split; [rewrite count_length, map_length; auto|]. split; [rewrite count_length, map_length; auto|].
-  destruct c as [qn qd unit optima at_ polytopes tree multipliers|us p|qn qd us p]; cbn [union_stated says_of union_holds] in *.
+  destruct c as [qn qd unit optima at_ polytopes tree multipliers|us p|qn qd us p];
+    cbn [union_stated says_of union_holds] in *.
   - destruct C as (D & N & W). split; [apply D|]. split; [left; exact D|]. intros k E. inversion E. eexists.
     split; [|split; [exact N|]]; [rewrite count_length, map_length; auto|]. intros t. symmetry. apply W.
-  - destruct C as [(x & Ha & Hb) N]. right; left. split; auto. split; auto. exists x, x. split; auto. split; auto. pteq; ring.
-  - destruct C as (Hq & H & a & b & Ha & Hb & E). split; auto. right; right. rewrite Ropp_involutive. split; [unfold value; cbn [num den]; lra|]. split.
+  - destruct C as [(x & Ha & Hb) N]. right; left. split; auto. split; auto. exists x, x. split; auto. split; auto.
+      pteq; ring.
+  - destruct C as (Hq & H & a & b & Ha & Hb & E). split; auto. right; right. rewrite Ropp_involutive. split;
+      [unfold value; cbn [num den]; lra|]. split.
     + intros t (b' & a' & Hb' & Ha' & ->). apply H; auto.
     + exists (sub b a). split; [exact E|]. exists b, a. auto.
 Qed.
