@@ -231,9 +231,8 @@ struct WrittenBody {
       case fathom_check::Body::Core::points: return points && same(*points, body.points.items);
       case fathom_check::Body::Core::half_space:
         return half_space() && same(half_space()->normal, body.normal) && half_space()->offset == value_of(body.offset);
-      case fathom_check::Body::Core::solid:
-      case fathom_check::Body::Core::pieces: return false;
       case fathom_check::Body::Core::shape: break;
+      default: return false;
     }
     const auto* const terms = std::get_if<std::vector<Term>>(&shape.core);
     return terms && std::equal(terms->begin(), terms->end(), body.terms.begin(), body.terms.end(),
