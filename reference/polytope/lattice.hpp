@@ -259,7 +259,10 @@ void require_bodies(const DifferencesOf<Body>& differences, const char* who) {
 // Both bodies.
 
 /// The denominator of a lattice with the unit 1.
-inline const mpz_class unit_denominator = 1;
+inline const mpz_class& unit_denominator() {
+  static const mpz_class one = 1;  // no memory is asked for before main()
+  return one;
+}
 
 /// Two bodies on one lattice. A point p of either stands for origin + p * 2^power / denominator.
 /// Differences b - a, hence P = B (+) (-A), do not see the origin, a point of B that only keeps
@@ -272,7 +275,7 @@ template <class Integer>
 struct PlacedPairIn {
   static constexpr bool owns = std::same_as<Integer, mpz_class>;
 
-  std::conditional_t<owns, mpz_class, const mpz_class&> denominator = unit_denominator;  ///< > 0
+  std::conditional_t<owns, mpz_class, const mpz_class&> denominator = unit_denominator();  ///< > 0
   std::conditional_t<owns, Point, std::monostate> origin;
   typename BodyIn<Integer>::type a, b;  ///< with one exponent, the least
   long power = 0;                       ///< 0 if it owns them

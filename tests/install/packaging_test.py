@@ -56,7 +56,7 @@ class Packaging(unittest.TestCase):
 
     def test_manual_page_of_the_checker_names_its_options(self):
         shown = set(re.findall(r"\\-\\-(\w+)", read("packaging/debian/fathom-check.1")))
-        sources = "".join(path.read_text() for path in (ROOT / "verify/check").glob("command_line.*"))
+        sources = "".join(path.read_text() for path in (ROOT / "verify/check").glob("run.*"))
         self.assertEqual(shown - {"help"}, set(re.findall(r'"(?:  )?--(\w+)', sources)) - {"help", "version"})
 
     def test_copyright_names_files_that_are_there(self):

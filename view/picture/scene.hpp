@@ -32,7 +32,7 @@ struct PairScene {
   /// The faces in contact: for each the points that span it, or one point.
   std::vector<std::vector<Point>> touch_a, touch_b;
   /// Contact patches to be shown, by their corners: on A, and on B.
-  std::vector<std::vector<Point>> patches;
+  std::vector<std::vector<Point>> patches = {};
   bool enclosed = false;  ///< whether only bounds of the way are known
 
   [[nodiscard]] bool approximate() const;  ///< whether an outline is sampled
