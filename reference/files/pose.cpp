@@ -261,7 +261,7 @@ Quaternion rotation_of(const std::vector<mpq_class>& turns, AngleUnit unit) {
   Quaternion result{1, 0, 0, 0};
   for (std::size_t i = 0; i + 1 < turns.size(); i += 2) {
     const auto [cosine, sine] = kernels::cosine_and_sine(turns[i + 1] / 2, unit);
-    const auto along = [&](int axis) { return turns[i] == axis ? sine : mpq_class(0); };
+    const auto along = [&, s = sine](int axis) { return turns[i] == axis ? s : mpq_class(0); };
     result = product({cosine, along(0), along(1), along(2)}, result);
   }
   return result;
