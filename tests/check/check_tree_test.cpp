@@ -15,6 +15,7 @@
 #include "tests/check/union_texts.hpp"
 #include "tests/support/property.hpp"
 #include "verify/check/check.hpp"
+#include "verify/check/checks.hpp"
 #include "verify/check/limits.hpp"
 
 namespace fathom_check {
