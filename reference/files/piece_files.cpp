@@ -58,21 +58,18 @@ ScenePieces pieces_of_file(const std::string& file, Decimals decimals) {
 
 /// The piece of this name; of scenes the node, or else the node that shows the mesh of this name.
 NamedPiece named_piece(ScenePieces& all, const std::string& file, const std::string& wanted) {
-  constexpr std::size_t most_listed = 12;
   std::vector<NamedPiece*> found;
   for (std::string NamedPiece::*const of : {&NamedPiece::name, &NamedPiece::other_name})
     for (NamedPiece& piece : all.pieces)
       if (found.empty() || found.front()->*of == wanted)
         if (piece.*of == wanted) found.push_back(&piece);
   if (found.size() == 1) return std::move(*found.front());
-  std::string names;
-  for (std::size_t i = 0; i < all.pieces.size() && i < most_listed; ++i)
-    names +=
-        (i > 0 ? ", " : "") + (all.pieces[i].name.empty() ? "one without a name" : kernels::shown(all.pieces[i].name));
-  if (all.pieces.size() > most_listed) names += " and " + std::to_string(all.pieces.size() - most_listed) + " more";
+  std::vector<std::string> names;
+  for (const NamedPiece& piece : all.pieces)
+    names.push_back(piece.name.empty() ? "one without a name" : kernels::shown(piece.name));
   throw InputError(file, 0,
                    "expected one mesh named " + kernels::shown(wanted) + ", found " +
-                       (found.empty() ? "none" : std::to_string(found.size())) + " among " + names);
+                       (found.empty() ? "none" : std::to_string(found.size())) + " among " + listed(names));
 }
 
 /// The notes on the pieces, after those on the file.
@@ -142,6 +139,14 @@ void add_faces(const MeshFaces& of_piece, std::size_t points, std::uint32_t befo
 }
 
 }  // namespace
+
+std::string listed(const std::vector<std::string>& texts) {
+  constexpr std::size_t most = 12;
+  std::string result;
+  for (std::size_t i = 0; i < texts.size() && i < most; ++i) result += (i > 0 ? ", " : "") + texts[i];
+  if (texts.size() > most) result += " and " + std::to_string(texts.size() - most) + " more";
+  return texts.empty() ? "none" : result;
+}
 
 bool natural_less(std::string_view a, std::string_view b) {
   std::string_view p = a, q = b;

@@ -35,6 +35,9 @@ using PieceFilter = std::function<bool(const NamedPiece& piece, std::size_t numb
 /// Throws as read_pieces does, and if none is left.
 Body read_union(const std::string& path, Decimals decimals, const PieceFilter& stays = {});
 
+/// "a, b, c": at most twelve of the texts, and how many more there are; "none".
+std::string listed(const std::vector<std::string>& texts);
+
 /// Whether a file of this name is a mesh for certain: .off .obj .ply .stl .gltf .glb .dae .3mf
 bool is_mesh_name(const std::string& name);
 

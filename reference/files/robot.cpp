@@ -35,16 +35,6 @@ constexpr std::string_view xml_spaces = " \t\r\n";
 
 std::string text_of(const mpq_class& value) { return fmt::format("{}", round_binary64(value) + 0.0); }
 
-/// "a, b, c", of at most twelve names.
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 12;
-  std::vector<std::string> first;
-  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) first.push_back(shown(names[i]));
-  return names.empty()          ? "none"
-         : names.size() <= most ? fmt::format("{}", fmt::join(first, ", "))
-                                : fmt::format("{} and {} more", fmt::join(first, ", "), names.size() - most);
-}
-
 // ---- the text ----
 
 class Urdf {
@@ -402,9 +392,10 @@ void require_joints(const std::vector<Robot>& robots, const JointValues& joints)
     for (const Robot& robot : robots)
       for (const RobotJoint& joint : robot.joints)
         if (joint.moves() && joint.mimics.empty()) known.push_back(joint.name);
-    if (std::ranges::find(known, name) == known.end())
-      throw InputError("--joints", 0,
-                       fmt::format("expected a joint that moves by itself ({}), found {}", listed(known), shown(name)));
+    if (std::ranges::find(known, name) != known.end()) continue;
+    for (std::string& other : known) other = shown(other);
+    throw InputError("--joints", 0,
+                     fmt::format("expected a joint that moves by itself ({}), found {}", listed(known), shown(name)));
   }
 }
 
@@ -501,7 +492,7 @@ LinkOfRobot read_link(const std::string& word, Decimals decimals) {
     return {std::move(robot), link};
   }
   std::vector<std::string> names;
-  for (const RobotLink& link : robot.links) names.push_back(link.name);
+  for (const RobotLink& link : robot.links) names.push_back(shown(link.name));
   throw InputError(
       robot.file, 0,
       fmt::format("expected FILE.urdf#LINK with a link of the robot ({}), found {}", listed(names), shown(name)));
