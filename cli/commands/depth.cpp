@@ -46,6 +46,16 @@ struct Files {
         pictures(request, request.svg, "picture", ".svg") {}
 };
 
+/// Returns why bodies of the plane are refused, or "".
+std::string refuses_plane(const DepthRequest& request) {
+  if (request.one_body) return no_plane;
+  if (request.shallow) return "--method shallow is about bodies of space";
+  if (request.form.manifold()) return "--patch and --twist are about bodies of space";
+  if (!request.certificate.empty() || request.form.certificate) return "certificates are about bodies of space";
+  if (!request.svg.empty()) return "--svg draws bodies of space";
+  return "";
+}
+
 std::string text_of(const AnsweredCase& answered, const DepthRequest& request) {
   if (request.json) return output::answer_json(answered, request.form);
   return is_stream(request) ? answer_line(answered, request.form) : answer_block(answered, request.form);
@@ -112,6 +122,7 @@ AnsweredCase answered_by(const AskedCase& asked, const DepthRequest& request, co
 Replies exact_replies(const DepthRequest& request) {
   Replies replies;
   if (request.one_body) replies.refuses_unions = shapes::width_of_union;
+  replies.refuses_plane = refuses_plane(request);
   replies.reply = [&request, files = std::make_shared<Files>(request)](const AskedCase& asked, Monitor& monitor,
                                                                        Workspace& workspace) -> CaseReply {
     const std::unique_ptr<CertificateFile> proof = files->certificates.single();  // fails early for an unwritable path

@@ -98,6 +98,7 @@ std::string approx_json(const std::string& id, const ApproxDepth& depth, const o
                            least = kernels::roundings_of_root(depth.bound_squared());
   const auto witness = found ? found->witness : std::nullopt;
   output::Result result{id,
+                        std::nullopt,
                         name(depth.status()),
                         output::signed_depth_object(signed_bounds(depth.status(), least, most)),
                         output::length(depth.squared(), most, form.digits),

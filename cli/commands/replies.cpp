@@ -190,10 +190,11 @@ Body mesh_of_input(const std::string& input, Decimals decimals) {
   return body;
 }
 
-Case asked_case(const BodiesRequest& request, const std::string& refuses_unions, const std::string& refuses_shapes) {
+Case asked_case(const BodiesRequest& request, const std::string& refuses_unions, const std::string& refuses_shapes,
+                const std::string& refuses_plane) {
   refuse_poses_of_stream(request);
   Case single = holds_cases(request) ? case_of_stream(request.inputs[0], request.case_id) : single_case(request);
-  const std::string fault = wrong_bodies(single, request.one_body, refuses_shapes, refuses_unions);
+  const std::string fault = wrong_bodies(single, request.one_body, refuses_shapes, refuses_unions, refuses_plane);
   return fault.empty() ? single : throw InputError(single.id, 0, fault);
 }
 
@@ -229,6 +230,7 @@ StreamWork stream_work(const BodiesRequest& request, const Replies& replies) {
   work.lost = replies.lost;
   work.refuses_shapes = replies.refuses_shapes;
   work.refuses_unions = replies.refuses_unions;
+  work.refuses_plane = replies.refuses_plane;
   work.answer = replies.reply;
   work.require_convex = request.require_convex;
   work.threads = request.threads.value_or(usual_threads());
@@ -238,7 +240,7 @@ StreamWork stream_work(const BodiesRequest& request, const Replies& replies) {
 ExitCode reply_to_inputs(const BodiesRequest& request, const Replies& replies) {
   refuse_poses_of_stream(request);
   if (is_stream(request)) return for_each_case(request.inputs[0], stream_work(request, replies));
-  const Case single = asked_case(request, replies.refuses_unions, replies.refuses_shapes);
+  const Case single = asked_case(request, replies.refuses_unions, replies.refuses_shapes, replies.refuses_plane);
   const InterruptGuard interrupt_guard;
   Progress progress;
   const AskedCase asked = looked_at(single, request);

@@ -72,6 +72,8 @@ struct Replies {
   std::string refuses_shapes = {};
   /// As in StreamWork.
   std::string refuses_unions = {};
+  /// As in StreamWork.
+  std::string refuses_plane = no_plane;
 };
 
 /// Throws InputError if both shapes are half-spaces.
@@ -82,7 +84,7 @@ void require_depth(const std::string& id, const Shape& a, const Shape& b);
 /// the ids of the stream; and, for a union of pieces or a shape, with the reason to refuse it, if
 /// there is one.
 Case asked_case(const BodiesRequest& request, const std::string& refuses_unions = "",
-                const std::string& refuses_shapes = "");
+                const std::string& refuses_shapes = "", const std::string& refuses_plane = no_plane);
 
 /// Returns the case with the facts about its bodies. Throws InputError if the request requires
 /// convex meshes and one is not convex.

@@ -212,7 +212,8 @@ void answer_case(StreamedCase& streamed, const std::string& name, const StreamWo
     std::string().swap(streamed.text.text);
     streamed.id = item.id;
     if (!item.ok()) return lose(item.error(), bad_input);
-    if (const std::string fault = wrong_bodies(item.value(), work.one_body, work.refuses_shapes, work.refuses_unions);
+    if (const std::string fault =
+            wrong_bodies(item.value(), work.one_body, work.refuses_shapes, work.refuses_unions, work.refuses_plane);
         !fault.empty())
       return lose({name, line, fault}, bad_input);
     for (const CaseNote& note : item.notes)
@@ -479,10 +480,15 @@ void tell_of_hulls(const Case& input, bool one_body, Progress& progress) {
 }
 
 std::string wrong_bodies(const Case& single, bool one_body, const std::string& refuses_shapes,
-                         const std::string& refuses_unions) {
+                         const std::string& refuses_unions, const std::string& refuses_plane) {
   const auto which = [&](bool a, bool b) { return a ? "a" : b && !one_body ? "b" : ""; };
   const std::string of_pieces = which(single.a.pieces != nullptr, single.b.pieces != nullptr);
   const std::string of_shape = which(single.a.shape.has_value(), single.b.shape.has_value());
+  const std::string of_plane = which(single.a.dimension == 2, single.b.dimension == 2);
+  if (!of_plane.empty() && !refuses_plane.empty())
+    return of_plane + ": expected a body of space, found one of the plane: " + refuses_plane;
+  if (single.a.dimension != single.b.dimension && !one_body)
+    return of_plane + ": expected two bodies of the plane or two of space, found one of each";
   if (!of_pieces.empty() && !refuses_unions.empty())
     return of_pieces + ": expected a convex body, found a union of pieces: " + refuses_unions;
   if (!of_pieces.empty() && !of_shape.empty())

@@ -108,6 +108,8 @@ struct StreamWork {
   /// Empty if unions of pieces are allowed as bodies; else such cases are errors, and this sentence
   /// gives the reason.
   std::string refuses_unions;
+  /// The same of bodies of the plane.
+  std::string refuses_plane = {};
   /// Whether a mesh that is not convex is an error.
   bool require_convex = false;
   /// The number of cases answered at once.
@@ -121,10 +123,13 @@ struct StreamWork {
 /// Returns whether a body of the case is a shape that is no polytope.
 inline bool has_shape(const Case& single) { return single.a.shape || single.b.shape; }
 
-/// Returns what is wrong with the bodies of a case, given the reasons to refuse shapes and unions,
-/// each of which may be empty; or "".
+/// Why most commands take no bodies of the plane.
+inline constexpr const char* no_plane = "of the commands, depth takes those";
+
+/// Returns what is wrong with the bodies of a case, given the reasons to refuse shapes, unions and
+/// bodies of the plane, each of which may be empty; or "".
 std::string wrong_bodies(const Case& single, bool one_body, const std::string& refuses_shapes,
-                         const std::string& refuses_unions);
+                         const std::string& refuses_unions, const std::string& refuses_plane = no_plane);
 
 /// Returns what is wrong with the meshes of a case if they must be convex, or "".
 std::string wrong_meshes(const shapes::HullFacts& facts, bool require_convex);

@@ -90,19 +90,19 @@ std::vector<Length> lengths_of(const Answer& answer, const AnswerForm& form) {
 
 /// Returns the first shortest translation of A out of B, or to the contact; empty if only bounds
 /// are known.
-std::string way_of_a(const Answer& answer, bool exact) {
-  if (const Depth* const depth = polytopes(answer)) return place_text(depth->contact_translation(), exact);
+std::string way_of_a(const Answer& answer, const AnswerForm& form) {
+  if (const Depth* const depth = polytopes(answer)) return place_text(depth->contact_translation(), form);
   if (const SignedDepth* const depth = shapes_of(answer)) {
     const std::vector<AlongNormal> ways = depth->translations();
-    return ways.empty() ? "" : place_text(ways.front(), exact);
+    return ways.empty() ? "" : place_text(ways.front(), form);
   }
   const UnionDepth& depth = std::get<UnionDepth>(answer.found);
-  if (depth.apart) return place_text(depth.apart->distance.translation, exact);
-  return depth.optima.empty() ? "" : place_text(depth.optima.front().translation, exact);
+  if (depth.apart) return place_text(depth.apart->distance.translation, form);
+  return depth.optima.empty() ? "" : place_text(depth.optima.front().translation, form);
 }
 
 void add_way(Rows& rows, const Answer& answer, const AnswerForm& form) {
-  const std::string way = way_of_a(answer, form.exact);
+  const std::string way = way_of_a(answer, form);
   if (way.empty() || form.width || answer.status() == Status::touching) return;
   rows.emplace_back(answer.status() == Status::disjoint ? "A to B" : "translation", way);
 }
@@ -119,7 +119,7 @@ std::string place_on(const std::vector<MeshFeature>& of_mesh, std::uint32_t piec
 void add_places(Rows& rows, const Answer& answer, const AnswerForm& form) {
   const std::string what = answer.status() == Status::disjoint ? "nearest" : "witness";
   const auto add = [&](const auto& points) {
-    add_points(rows, what, place_text(points.a, form.exact), place_text(points.b, form.exact), form.width);
+    add_points(rows, what, place_text(points.a, form), place_text(points.b, form), form.width);
   };
   if (const UnionDepth* const depth = unions(answer)) {
     if (depth->apart)
@@ -189,26 +189,27 @@ const OptimalCone* continuum(const Answer& answer) {
   return one ? nullptr : &*depth->cone;
 }
 
-std::string cone_text(const OptimalCone& cone, bool exact) {
+std::string cone_text(const OptimalCone& cone, const AnswerForm& form) {
   Parts parts;
   if (cone.lineality == Lineality::all) parts.emplace_back("every direction");
-  if (cone.lineality == Lineality::plane) parts.push_back("the plane orthogonal to " + way_text(cone.axis, exact));
-  if (cone.lineality == Lineality::line) parts.push_back("the line of " + way_text(cone.axis, exact));
-  for (const Vector& ray : cone.rays) parts.push_back(way_text(ray, exact));
+  if (cone.lineality == Lineality::plane) parts.push_back("the plane orthogonal to " + way_text(cone.axis, form));
+  if (cone.lineality == Lineality::line) parts.push_back("the line of " + way_text(cone.axis, form));
+  for (const Vector& ray : cone.rays) parts.push_back(way_text(ray, form));
   return fmt::format("the cone of {}", fmt::join(parts, ", "));
 }
 
 void add_ties(Rows& rows, const Answer& answer, const AnswerForm& form) {
-  if (const OptimalCone* const cone = continuum(answer)) rows.emplace_back("ties", cone_text(*cone, form.exact));
+  if (const OptimalCone* const cone = continuum(answer)) rows.emplace_back("ties", cone_text(*cone, form));
   if (const SignedDepth* const depth = shapes_of(answer); depth && depth->around())
-    rows.emplace_back("ties", "around the axis " + way_text(*depth->around(), form.exact));
+    rows.emplace_back("ties", "around the axis " + way_text(*depth->around(), form));
   const std::size_t count = ties(answer, form);
   if (count == 1 && !shapes_of(answer)) rows.emplace_back("ties", "none");
   if (count > 1)
     rows.emplace_back("ties", fmt::format("{} {}; the first is shown, --json lists all", count,
-                                          unions(answer) ? "translations"
-                                          : form.width   ? "pairs of planes"
-                                                         : "nearest facets"));
+                                          unions(answer)        ? "translations"
+                                          : form.width          ? "pairs of planes"
+                                          : form.dimension == 2 ? "nearest edges"
+                                                                : "nearest facets"));
 }
 
 // ---- contact manifolds ----
@@ -236,7 +237,7 @@ std::string patch_text(const Patch& patch, bool of_unions) {
 void add_patch(Rows& rows, const Patch& patch, const AnswerForm& form) {
   for (std::size_t k = 0; k < std::min(patch.corners.size(), most_corners); ++k)
     rows.emplace_back(
-        "", fmt::format("{} on {}, {}", place_text(patch.a(k), form.exact), feature_text(patch.corners[k].on_a, "A"),
+        "", fmt::format("{} on {}, {}", place_text(patch.a(k), form), feature_text(patch.corners[k].on_a, "A"),
                         feature_text(patch.corners[k].on_b, "B")));
   if (patch.corners.size() > most_corners)
     rows.emplace_back("", fmt::format("and {} more corners; --json lists all", patch.corners.size() - most_corners));
@@ -252,7 +253,7 @@ void add_with_slack(Rows& rows, const output::Manifold& manifold, const Patch& p
                                                   : "a polygon of corners";
   Parts parts;
   for (std::size_t k = 0; k < std::min(corners->size(), most_corners); ++k)
-    parts.push_back(place_text((*corners)[k].a, form.exact));
+    parts.push_back(place_text((*corners)[k].a, form));
   if (corners->size() > most_corners)
     parts.push_back(fmt::format("{} more; --json lists all", corners->size() - most_corners));
   rows.emplace_back("with slack", fmt::format("{} {}", what, fmt::join(parts, ", ")));
@@ -370,9 +371,9 @@ std::string legend_of_unions(const picture::PairScene& scene) {
 std::string way_caption(const Answer& answer, const AnswerForm& form) {
   const UnionDepth* const depth = unions(answer);
   if (answer.status() == Status::disjoint)
-    return "A to B: " + way_of_a(answer, form.exact) +
+    return "A to B: " + way_of_a(answer, form) +
            (depth ? fmt::format(", between piece {} of A and piece {} of B", depth->apart->a, depth->apart->b) : "");
-  std::string text = "translation of A: " + way_of_a(answer, form.exact);
+  std::string text = "translation of A: " + way_of_a(answer, form);
   if (continuum(answer)) text += "; a continuum of ways is as short";
   else if (const std::size_t count = ties(answer, form); count > 1)
     text += fmt::format("; {} ways are as short", count);
@@ -408,8 +409,9 @@ Parts contact_captions(const Answer& answer) {
 
 }  // namespace
 
-std::string answer_block(const AnsweredCase& answered, const AnswerForm& form) {
+std::string answer_block(const AnsweredCase& answered, const AnswerForm& asked) {
   const Answer& answer = answered.answer;
+  const AnswerForm form = asked.about(answer);
   Rows rows;
   for (const Length& length : lengths_of(answer, form)) {
     rows.emplace_back(length.what, length.value);
@@ -418,7 +420,7 @@ std::string answer_block(const AnsweredCase& answered, const AnswerForm& form) {
   }
   const bool places_first = answer.status() == Status::disjoint && !shapes_of(answer);
   if (places_first) add_places(rows, answer, form), add_way(rows, answer, form);
-  if (!unions(answer)) rows.emplace_back("direction", way_text(*answer.direction(), form.exact));
+  if (!unions(answer)) rows.emplace_back("direction", way_text(*answer.direction(), form));
   if (!places_first) add_way(rows, answer, form);
   add_contacts(rows, answer, form);
   if (!places_first) add_places(rows, answer, form);
@@ -439,8 +441,9 @@ std::string answer_block(const AnsweredCase& answered, const AnswerForm& form) {
   return aligned(form.width ? "" : answer.complete() ? std::string(answer.status_name()) : "interrupted", rows);
 }
 
-std::string answer_line(const AnsweredCase& answered, const AnswerForm& form) {
+std::string answer_line(const AnsweredCase& answered, const AnswerForm& asked) {
   const Answer& answer = answered.answer;
+  const AnswerForm form = asked.about(answer);
   const std::vector<Length> lengths = lengths_of(answer, form);
   if (!answer.complete())
     return case_line(answered.id, {"interrupted", "depth at least " + lengths[0].value, "at most " + lengths[1].value});
@@ -454,8 +457,8 @@ std::string answer_line(const AnsweredCase& answered, const AnswerForm& form) {
     if (!length.exactly.empty()) parts.push_back(length.exact_label + " " + length.exactly);
     if (!length.enclosure.empty()) parts.push_back((shapes_of(answer) ? "enclosure " : "in ") + length.enclosure);
   }
-  if (!union_depth) parts.push_back("direction " + way_text(*answer.direction(), form.exact));
-  else if (deep) parts.push_back("translation " + way_of_a(answer, form.exact));
+  if (!union_depth) parts.push_back("direction " + way_text(*answer.direction(), form));
+  else if (deep) parts.push_back("translation " + way_of_a(answer, form));
   if (union_depth && deep && !union_depth->optima.front().clearance) parts.emplace_back("an exact fit");
   if (polytopes(answer) && answer.contact()) parts.emplace_back(name(answer.contact()->kind));
   if (!shapes_of(answer)) {
@@ -491,8 +494,9 @@ picture::PairScene answer_scene(const Case& bodies, const AnsweredCase& answered
   return scene;
 }
 
-std::string answer_picture(const Case& bodies, const AnsweredCase& answered, const AnswerForm& form) {
+std::string answer_picture(const Case& bodies, const AnsweredCase& answered, const AnswerForm& asked) {
   const Answer& answer = answered.answer;
+  const AnswerForm form = asked.about(answer);
   const picture::PairScene scene = answer_scene(bodies, answered, form);
   const Length length = lengths_of(answer, {}).back();
   Parts caption{fmt::format("{}: {} {}", answer.status_name(), length.what, length.value)};

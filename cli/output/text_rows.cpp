@@ -49,17 +49,23 @@ std::string triple(std::string_view mark, const std::string& x, const std::strin
 
 std::string decimal(const Surd& value) { return sign(value) < 0 ? "-" + surd_text(negated(value)) : surd_text(value); }
 
-std::string in_full(const Point& p) {
-  return fmt::format("({}, {}, {})", exact_text(p.x), exact_text(p.y), exact_text(p.z));
+/// Returns "(x, y, z)", in the plane "(x, y)".
+std::string in_brackets(const std::string& x, const std::string& y, const std::string& z, unsigned dimension) {
+  return dimension == 2 ? fmt::format("({}, {})", x, y) : triple("", x, y, z);
 }
-std::string in_full(const Vector& n) {
-  return fmt::format("({}, {}, {})", n.x.get_str(), n.y.get_str(), n.z.get_str());
+
+std::string in_full(const Point& p, unsigned dimension) {
+  return in_brackets(exact_text(p.x), exact_text(p.y), exact_text(p.z), dimension);
+}
+std::string in_full(const Vector& n, unsigned dimension) {
+  return in_brackets(n.x.get_str(), n.y.get_str(), n.z.get_str(), dimension);
 }
 
 /// Returns from + length n/|n|.
-std::string in_full(const Point& from, const mpq_class& length, const Vector& n) {
-  if (const std::optional<Point> point = rational_point(RoundedPoint{from, n, length})) return in_full(*point);
-  return fmt::format("{} and {} along {}", in_full(from), exact_text(length), in_full(n));
+std::string in_full(const Point& from, const mpq_class& length, const Vector& n, unsigned dimension) {
+  if (const std::optional<Point> point = rational_point(RoundedPoint{from, n, length}))
+    return in_full(*point, dimension);
+  return fmt::format("{} and {} along {}", in_full(from, dimension), exact_text(length), in_full(n, dimension));
 }
 
 constexpr std::size_t most_indices = 12;
@@ -95,22 +101,26 @@ std::string direction_text(const Vector& n) {
                 unit_component(n.z, squared_length));
 }
 
-std::string decimals(const Coordinates& values) {
-  return fmt::format("({}, {}, {})", decimal(values[0]), decimal(values[1]), decimal(values[2]));
+std::string decimals(const Coordinates& values, unsigned dimension) {
+  return in_brackets(decimal(values[0]), decimal(values[1]), decimal(values[2]), dimension);
 }
 
-std::string place_text(const Point& p, bool exact) { return exact ? in_full(p) : decimals(coordinates(p)); }
+std::string place_text(const Point& p, bool exact, unsigned dimension) {
+  return exact ? in_full(p, dimension) : decimals(coordinates(p), dimension);
+}
 
-std::string place_text(const AlongNormal& vector, bool exact) {
+std::string place_text(const AlongNormal& vector, bool exact, unsigned dimension) {
   const auto& [n, alpha, beta] = vector;
-  return exact ? in_full(alpha * n, beta, n) : decimals(coordinates(vector));
+  return exact ? in_full(alpha * n, beta, n, dimension) : decimals(coordinates(vector), dimension);
 }
 
-std::string place_text(const RoundedPoint& point, bool exact) {
-  return exact ? in_full(point.core, point.distance, point.normal) : decimals(coordinates(point));
+std::string place_text(const RoundedPoint& point, bool exact, unsigned dimension) {
+  return exact ? in_full(point.core, point.distance, point.normal, dimension) : decimals(coordinates(point), dimension);
 }
 
-std::string way_text(const Vector& n, bool exact) { return exact ? in_full(n) : decimals(unit(n)); }
+std::string way_text(const Vector& n, bool exact, unsigned dimension) {
+  return exact ? in_full(n, dimension) : decimals(unit(n), dimension);
+}
 
 AnswerForm::AnswerForm(const Given& given)
     : Shown{given.integer<std::size_t>("--optima"),
@@ -165,9 +175,9 @@ void add_points(std::vector<Row>& rows, const std::string& label, const std::str
 }
 
 void add_witness(std::vector<Row>& rows, const Witness& witness, const AnswerForm& form) {
-  const std::string a = place_text(witness.a, form.exact);
+  const std::string a = place_text(witness.a, form);
   if (witness.a == witness.b) rows.emplace_back("common point", a);
-  else add_points(rows, "witness", a, place_text(witness.b, form.exact), form.width);
+  else add_points(rows, "witness", a, place_text(witness.b, form), form.width);
 }
 
 std::string flat_text(const BodyFacts& facts, bool same_body) {

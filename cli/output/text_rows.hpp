@@ -48,16 +48,17 @@ using rounded::unit;
 
 /// Returns "(-0.25, 0, 1)": the shortest decimals that read back as the nearest binary64 numbers;
 /// 17 digits beyond that range.
-std::string decimals(const Coordinates& values);
+std::string decimals(const Coordinates& values, unsigned dimension = 3);
 
 /// Returns a point or translation: its decimals; or, if `exact`, fractions, with a part along a
 /// direction apart: "(1/2, 0, 0) and 1/3 along (1, 1, 1)".
-std::string place_text(const Point& p, bool exact);
-std::string place_text(const AlongNormal& vector, bool exact);
-std::string place_text(const RoundedPoint& point, bool exact);
+// `dimension`: 2 in the plane, where the third coordinate, which is 0, is left out.
+std::string place_text(const Point& p, bool exact, unsigned dimension = 3);
+std::string place_text(const AlongNormal& vector, bool exact, unsigned dimension = 3);
+std::string place_text(const RoundedPoint& point, bool exact, unsigned dimension = 3);
 
 /// Returns a direction: the unit vector's decimals; or, if `exact`, the integers in lowest terms.
-std::string way_text(const Vector& n, bool exact);
+std::string way_text(const Vector& n, bool exact, unsigned dimension = 3);
 
 // The rows of answers.
 
@@ -68,7 +69,21 @@ struct AnswerForm : output::Shown {
 
   bool exact = false;      ///< text: exact numbers instead of decimals
   bool by_default = true;  ///< the user did not choose the method
+  unsigned dimension = 3;  ///< 2 of answers about bodies of the plane
+
+  /// The same for this answer.
+  [[nodiscard]] AnswerForm about(const Answer& answer) const {
+    AnswerForm form = *this;
+    form.dimension = answer.dimension();
+    return form;
+  }
 };
+
+/// Points, translations and directions in the form of an answer.
+std::string place_text(const auto& place, const AnswerForm& form) {
+  return place_text(place, form.exact, form.dimension);
+}
+inline std::string way_text(const Vector& n, const AnswerForm& form) { return way_text(n, form.exact, form.dimension); }
 
 /// A label and its text.
 using Row = std::pair<std::string, std::string>;

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,6 +60,12 @@ struct SurdWitness {
 /// The answer about two bodies, by what was found.
 struct Answer {
   std::variant<Depth, SignedDepth, UnionDepth> found;  ///< of two polytopes; if one is another shape; if one is a union
+  /// Of bodies of the plane: the answer about the prisms that stand for them (fathom/plane.hpp), of
+  /// which `found` is what the plane has. Null else.
+  std::shared_ptr<const Answer> prisms = nullptr;
+
+  /// 2 of bodies of the plane: then every z is 0.
+  [[nodiscard]] unsigned dimension() const { return prisms ? 2 : 3; }
 
   /// nullopt if bounds leave it open.
   [[nodiscard]] std::optional<Status> status() const;

@@ -117,6 +117,9 @@ struct Body {
   /// Then it is that of a closed mesh, and the pieces tile it (fathom/solid.hpp). Whoever changes
   /// the pieces takes it away.
   std::shared_ptr<const Solid> solid = nullptr;
+  /// 2 of a body of the plane (fathom/plane.hpp): then the z of all that makes it is 0, and the plane
+  /// has no other bodies.
+  unsigned dimension = 3;
 };
 
 }  // namespace fathom

@@ -11,6 +11,7 @@
 #include "fathom/solid.hpp"
 #include "kernels/number/irrational.hpp"
 #include "kernels/vector.hpp"
+#include "reference/answer/plane.hpp"
 #include "reference/certificate/certificate.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/patch/patch.hpp"
@@ -214,6 +215,10 @@ Part<UnionBounds> Answer::union_bounds() const {
 }
 
 Answer exact_answer(const Body& a, const Body& b, const Question& question) {
+  if (a.dimension == 2 || b.dimension == 2) {
+    const answer::Prisms prisms = answer::prisms_of(a, b);
+    return answer::in_plane(a, b, exact_answer(prisms.a, prisms.b, question));
+  }
   if (a.pieces || b.pieces) {
     UnionDepth depth = union_depth(pieces_of(a), pieces_of(b), {question.options.monitor, question.union_bounds});
     name_features(depth, a, b);
@@ -225,9 +230,12 @@ Answer exact_answer(const Body& a, const Body& b, const Question& question) {
 }
 
 BodyFacts facts_of(const Body& a, const Body& b, const Answer& answer) {
+  const auto flat = [&](const Body& body) {
+    return answer.prisms ? answer::is_flat_in_plane(body) : is_flat(files::shape_of(body));
+  };
   return std::visit(ByKind{[](const Depth& depth) { return BodyFacts(depth); },
                            [&](const SignedDepth&) {
-                             return BodyFacts{is_flat(files::shape_of(a)), is_flat(files::shape_of(b))};
+                             return BodyFacts{flat(a), flat(b)};
                            },
                            [](const UnionDepth&) { return BodyFacts(); }},
                     answer.found);
@@ -235,6 +243,7 @@ BodyFacts facts_of(const Body& a, const Body& b, const Answer& answer) {
 
 std::string certificate_text(const Body& a, const Body& b, const Answer& answer, std::string_view id,
                              Monitor* monitor) {
+  if (answer.prisms) throw std::invalid_argument("no certificate is written of bodies of the plane");
   return std::visit(
       ByKind{[&](const Depth& depth) { return certificate_text(a, b, depth, id, monitor); },
              [&](const SignedDepth& shapes) {

@@ -28,6 +28,9 @@ using text::JsonValue;
 constexpr const char* expected_pose =
     "three rows of four numbers, or an object with 'quaternion', or text such as \"xyz=0,0,1 rpy=0,0,90deg\"";
 
+constexpr const char* expected_plane_pose =
+    "two rows of three numbers, or an object with 'half_angle' or 'translation'";
+
 std::string shown(const JsonValue& value) { return kernels::printable(value.written().text(), kernels::readable); }
 
 std::string found(const JsonValue& value) {
@@ -44,7 +47,8 @@ const JsonValue* given(const JsonValue& object, std::string_view name) {
 /// Returns whether the field means something in a body: such a field must not be repeated, since
 /// readers differ in which one they take.
 bool is_ours(std::string_view key) {
-  return is_field_of_shapes(key) || key == "pose" || key == "pose_rounding" || key == "unit" || pose_word(key);
+  return is_field_of_shapes(key) || key == "pose" || key == "pose_rounding" || key == "unit" || key == "half_angle" ||
+         pose_word(key);
 }
 
 /// A field of ours that an object in the document has twice, the first by its second place; or "".
@@ -65,6 +69,7 @@ class Reader {
  public:
   std::string fault;
   std::vector<CaseNote> notes;
+  unsigned dimension = 3;  // 2: a point has two coordinates, and its z is 0
 
   Body body(const JsonValue& json, const std::string& path, bool rounded);
   Twist twist(const JsonValue& json, const std::string& path);
@@ -82,6 +87,7 @@ class Reader {
   std::vector<Point> points(const JsonValue& value, const std::string& path);
   Axis axis(const JsonValue& value, const std::string& path);
   std::optional<GivenPose> pose(const JsonValue& value, const std::string& path);
+  std::optional<GivenPose> plane_pose(const JsonValue& value, const std::string& path);
   std::vector<mpq_class> euler(const JsonValue& value, const std::string& path, std::string& wrong);
   GivenPose pose_of_words(const JsonValue& value, const std::string& path, std::string& wrong);
   ShapeFields fields(const JsonValue& json, const NamedShape& named, const std::string& path, NamedBody& words);
@@ -107,7 +113,7 @@ std::vector<mpq_class> Reader::numbers(const JsonValue& value, std::size_t count
   if (count == 1) return {number(value, path)};
   std::vector<mpq_class> result;
   if (!value.is_array() || value.items().size() != count) {
-    report(path, count == 3 ? "three numbers" : "four numbers", found(value));
+    report(path, count == 2 ? "two numbers" : count == 3 ? "three numbers" : "four numbers", found(value));
     result.resize(count, 1);
     return result;
   }
@@ -139,20 +145,47 @@ std::vector<Point> Reader::points(const JsonValue& value, const std::string& pat
   }
   std::vector<Point> result;
   for (std::size_t i = 0; i < value.items().size(); ++i) {
-    const std::vector<mpq_class> p = numbers(value.items()[i], 3, path + "[" + std::to_string(i) + "]");
-    result.push_back({p[0], p[1], p[2]});
+    const std::vector<mpq_class> p = numbers(value.items()[i], dimension, path + "[" + std::to_string(i) + "]");
+    result.push_back({p[0], p[1], dimension == 2 ? mpq_class(0) : p[2]});
   }
   return result;
 }
 
 Axis Reader::axis(const JsonValue& value, const std::string& path) {
   for (const auto& [name, axis] : {std::pair("x", Axis::x), std::pair("y", Axis::y), std::pair("z", Axis::z)})
-    if (value.is_string() && value.text() == name) return axis;
-  report(path, R"("x", "y" or "z")", found(value));
+    if (value.is_string() && value.text() == name && (dimension == 3 || axis != Axis::z)) return axis;
+  report(path, dimension == 2 ? R"("x" or "y")" : R"("x", "y" or "z")", found(value));
   return Axis::z;
 }
 
+// The tangent of half the angle is that of a quaternion about z; a matrix leaves z as it is.
+std::optional<GivenPose> Reader::plane_pose(const JsonValue& value, const std::string& path) {
+  GivenPose result;
+  if (value.is_array() && value.items().size() == 2) {
+    Pose& matrix = result.matrix.emplace();
+    for (std::size_t row = 0; row < 2; ++row) {
+      const std::vector<mpq_class> m = numbers(value.items()[row], 3, path + "[" + std::to_string(row) + "]");
+      matrix[row] = {m[0], m[1], 0, m[2]};
+    }
+    matrix[2] = {0, 0, 1, 0};
+  } else if (value.is_object()) {
+    const JsonValue *const half_angle = given(value, "half_angle"), *const translation = given(value, "translation");
+    if (!half_angle && !translation) report(path, expected_plane_pose, found(value));
+    if (half_angle) result.turn.z = number(*half_angle, path + ".half_angle");
+    const std::vector<mpq_class> t =
+        translation ? numbers(*translation, 2, path + ".translation") : std::vector<mpq_class>(2);
+    result.place = {t[0], t[1], 0};
+    for (const auto& [key, of_space] : value.fields())
+      if (!of_space->is_null() && pose_word(key) && key != "translation")
+        report(path + "." + std::string(key), "no such field of a pose in the plane", "one");
+  } else {
+    report(path, expected_plane_pose, found(value));
+  }
+  return fault.empty() ? std::optional(result) : std::nullopt;
+}
+
 std::optional<GivenPose> Reader::pose(const JsonValue& value, const std::string& path) {
+  if (dimension == 2) return plane_pose(value, path);
   std::string wrong;
   GivenPose result;
   if (value.is_string()) {
@@ -212,6 +245,7 @@ GivenPose Reader::pose_of_words(const JsonValue& value, const std::string& path,
 ShapeFields Reader::fields(const JsonValue& json, const NamedShape& named, const std::string& path, NamedBody& words) {
   const ShapeName& shape = *named.shape;
   ShapeFields result;
+  if (dimension == 2) result.axis = Axis::x;
   const auto require = [&](std::string_view name) {
     const JsonValue* const there = json.find(name);
     if (!there) report(path, "a field '" + std::string(name) + "'", "none");
@@ -221,7 +255,7 @@ ShapeFields Reader::fields(const JsonValue& json, const NamedShape& named, const
     if (!is_field_of_shapes(key) || value->is_null()) continue;
     const std::string place = path + "." + std::string(key);
     if (!has_field(shape, key)) report(place, "no such field of a " + std::string(shape.name), "one");
-    else if (const NumberField* const field = number_field(key))
+    else if (const NumberField* const field = number_field(shape, key))
       result.numbers[std::string(key)] = numbers(*value, field->count, place);
   }
   for (const NumberField& field : shape.numbers)
@@ -251,11 +285,11 @@ Shape Reader::unplaced(const JsonValue& json, const std::string& path, NamedBody
     report(path, "a shape", found(json));
     return {};
   }
-  NamedShape named = named_shape("hull");
+  NamedShape named = named_shape(dimension == 2 ? "polygon" : "hull", dimension);
   if (const JsonValue* const name = json.find("shape")) {
-    named = name->is_string() ? named_shape(name->text()) : NamedShape{};
+    named = name->is_string() ? named_shape(name->text(), dimension) : NamedShape{};
     if (!named.shape) {
-      report(path + ".shape", list_of_shapes() + ", or one of them after 'rounded_'", found(*name));
+      report(path + ".shape", list_of_shapes(dimension) + ", or one of them after 'rounded_'", found(*name));
       return {};
     }
   }
@@ -305,12 +339,15 @@ void Reader::round(Shape& shape, const std::string& path) {
 
 // A piece, where its own pose puts it.
 Body Reader::piece(const JsonValue& json, const std::string& path) {
+  if (dimension == 2 && json.is_array()) return {points(json, path)};
   NamedBody words;
   const Shape shape = placed_shape(unplaced(json, path, words), json, path, words);
   if (!fault.empty()) return {};
   if (json.find("pose_rounding")) report(path + ".pose_rounding", "no such field of a piece", "one");
   std::optional<std::vector<Point>> points = points_of(shape);
-  if (!points) refuse(path + ": expected a hull, a box or a triangle, found another shape");
+  if (!points)
+    refuse(path + ": expected a " + (dimension == 2 ? "polygon or a box" : "hull, a box or a triangle") +
+           ", found another shape");
   else if (shape.radius != 0)
     refuse(path + ": expected a piece without a radius: to add the radii of unions to a depth would be wrong");
   Body body{std::move(points).value_or(std::vector<Point>())};
@@ -376,7 +413,7 @@ bool Reader::is_rounded(const JsonValue& json, const std::string& path) {
 
 Body Reader::body(const JsonValue& json, const std::string& path, bool rounded) {
   if (given(json, "pieces")) return union_of(json, path, rounded);
-  if (given(json, "solid")) return solid_of(json, path, rounded);
+  if (dimension == 3 && given(json, "solid")) return solid_of(json, path, rounded);
   NamedBody words;
   Shape shape = unplaced(json, path, words);
   shape = placed_shape(std::move(shape), json, path, words);
@@ -390,21 +427,22 @@ Body Reader::body(const JsonValue& json, const std::string& path, bool rounded) 
   }
   Body body = body_of(std::move(shape));
   const bool named = json.find("shape") && !rounded;
-  if (named || body.shape) body.words = std::make_shared<const NamedBody>(std::move(words));
+  if (dimension == 3 && (named || body.shape)) body.words = std::make_shared<const NamedBody>(std::move(words));
   return body;
 }
 
 }  // namespace
 
-ShapesOfCase read_shapes(const JsonValue& document, bool a, bool b, bool rounded) {
+ShapesOfCase read_shapes(const JsonValue& document, bool a, bool b, bool rounded, unsigned dimension) {
   ShapesOfCase result;
   if (const std::string repeated = repeated_field(document); !repeated.empty()) {
     result.fault = "expected one field '" + repeated + "' in an object, found a second one";
     return result;
   }
   Reader reader;
-  if (a) result.a = reader.body(*document.find("a"), "a", rounded);
-  if (b) result.b = reader.body(*document.find("b"), "b", rounded);
+  reader.dimension = dimension;
+  if (a) (result.a = reader.body(*document.find("a"), "a", rounded))->dimension = dimension;
+  if (b) (result.b = reader.body(*document.find("b"), "b", rounded))->dimension = dimension;
   result.fault = std::move(reader.fault);
   result.notes = std::move(reader.notes);
   return result;

@@ -17,8 +17,8 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-constexpr std::array<std::string_view, 9> of_cases = {"schema", "id",    "a",      "b",      "pose_rounding",
-                                                      "twist",  "flags", "source", "comment"};
+constexpr std::array<std::string_view, 10> of_cases = {"schema", "id",    "a",      "b",       "pose_rounding",
+                                                       "twist",  "flags", "source", "comment", "dimension"};
 constexpr std::array<std::string_view, 8> of_bodies = {"vertices", "faces",         "pose",   "shape",
                                                        "margin",   "pose_rounding", "pieces", "solid"};
 constexpr std::array<std::string_view, 8> of_poses = {"translation", "quaternion", "xyz",   "quat",
@@ -81,6 +81,7 @@ std::string expected_at(CasePlace place) {
     case CasePlace::id: return "text or a number";
     case CasePlace::rounding:
     case CasePlace::body_rounding: return "\"binary64\"";
+    case CasePlace::dimension: return "2 or 3";
     case CasePlace::twist: return "an object with 'a' or 'b'";
     case CasePlace::body: return "an object with 'vertices', 'shape', 'pieces' or 'solid'";
     case CasePlace::vertices: return "an array of points";
@@ -113,6 +114,11 @@ class CaseWalk {
   void string(const JsonValue& value, CasePlace place, const Path& path, BodyFields* body);
   void skip(const JsonValue& value, CasePlace place, const Path& path, BodyFields* body);
   void find_limits(const JsonValue& value, const Path& path);
+  /// A body that read_shapes reads.
+  void of_plane(const JsonValue& value, const Path& path) {
+    fields.misspelt = true;  // perhaps
+    find_limits(value, path);
+  }
   void too_large(const JsonValue& value, const Path& path) {
     fields.fault.clear();  // the text ends here
     fault(path, "a number within the range of binary64", kernels::shown(value.text()));
@@ -132,7 +138,11 @@ class CaseWalk {
 bool may_be_null(CasePlace place) {
   return place == CasePlace::other || place == CasePlace::shape || place == CasePlace::id ||
          place == CasePlace::twist || place == CasePlace::pose || place == CasePlace::faces ||
-         place == CasePlace::rounding || place == CasePlace::body_rounding;
+         place == CasePlace::rounding || place == CasePlace::body_rounding || place == CasePlace::dimension;
+}
+
+bool is_dimension(const JsonValue& value, CasePlace place) {
+  return place == CasePlace::dimension && value.is_natural() && (value.number() == 2 || value.number() == 3);
 }
 
 void CaseWalk::value(const JsonValue& value, CasePlace place, const Path& path, BodyFields* body) {
@@ -150,7 +160,7 @@ void CaseWalk::value(const JsonValue& value, CasePlace place, const Path& path, 
     case JsonValue::Kind::object:
       if (of_shape || place == CasePlace::pose) body->is_shape = true;
       if (place == CasePlace::whole) return whole(value, path);
-      if (place == CasePlace::body) return body_of(value, path, *body);
+      if (place == CasePlace::body) return fields.plane ? of_plane(value, path) : body_of(value, path, *body);
       return skip(value, place, path, body);
     case JsonValue::Kind::array:
       if (place == CasePlace::vertices) return vertices(value, path, *body);
@@ -159,7 +169,8 @@ void CaseWalk::value(const JsonValue& value, CasePlace place, const Path& path, 
     default:  // a number
       if (place == CasePlace::id) fields.id = value.text();
       else if (of_shape) body->is_shape = true;
-      else if (place != CasePlace::other) wrong(path, place, kernels::printable(value.text(), kernels::readable));
+      else if (place != CasePlace::other && !is_dimension(value, place))
+        wrong(path, place, kernels::printable(value.text(), kernels::readable));
   }
 }
 
@@ -218,9 +229,12 @@ CaseWalk::FieldsRead CaseWalk::all_fields(const JsonValue& object, const Path& p
 }
 
 void CaseWalk::whole(const JsonValue& object, const Path& path) {
+  if (const JsonValue* const dimension = object.find("dimension"))  // it may stand behind the bodies
+    fields.plane = is_dimension(*dimension, CasePlace::dimension) && dimension->number() == 2;
   const FieldsRead seen = all_fields(object, path, nullptr);
   for (const std::string name : {"a", "b"})
     if (std::ranges::find(seen, name) == seen.end()) fault(path, "a field '" + name + "'", "none");
+  if (fields.plane && fields.moves) fault({&path, "twist"}, "no such field in the plane", "one");
 }
 
 void CaseWalk::body_of(const JsonValue& object, const Path& path, BodyFields& body) {
@@ -282,6 +296,7 @@ CasePlace field_of_case(std::string_view key) {
   if (key == "id") return CasePlace::id;
   if (key == "pose_rounding") return CasePlace::rounding;
   if (key == "twist") return CasePlace::twist;
+  if (key == "dimension") return CasePlace::dimension;
   return key == "a" || key == "b" ? CasePlace::body : CasePlace::other;
 }
 
@@ -303,7 +318,7 @@ bool has_field(const ShapeName& shape, std::string_view key) {
   if (key == "vertices") return shape.part == ShapePart::vertices;
   if (key == "faces") return shape.name == "hull";
   if (key == "terms") return shape.part == ShapePart::terms;
-  return key == "shape" || has_number(shape, key);
+  return key == "shape" || number_field(shape, key);
 }
 
 bool looks_misspelt(std::string_view key, bool of_body) {
@@ -312,7 +327,7 @@ bool looks_misspelt(std::string_view key, bool of_body) {
 
 std::string misspelt_in_pose(std::span<const std::string> keys) { return kernels::near_misses(keys, of_poses); }
 
-std::vector<CaseNote> misspelt_fields(const text::JsonValue& document) {
+std::vector<CaseNote> misspelt_fields(const text::JsonValue& document, bool plane) {
   std::vector<CaseNote> notes;
   note(document, "", of_cases, notes);
   for (const char* name : {"a", "b"}) {
@@ -321,7 +336,7 @@ std::vector<CaseNote> misspelt_fields(const text::JsonValue& document) {
     Names known(of_bodies.begin(), of_bodies.end());
     const text::JsonValue* const shape = body->find("shape");
     if (shape && shape->is_string())
-      if (const ShapeName* const named = named_shape(shape->text()).shape) add_fields(*named, known);
+      if (const ShapeName* const named = named_shape(shape->text(), plane ? 2 : 3).shape) add_fields(*named, known);
     note(*body, name, known, notes);
   }
   return notes;

@@ -25,6 +25,7 @@ enum class CasePlace {
   schema,
   id,
   rounding,
+  dimension,
   twist,  ///< read_motion reads it
   body,
   body_rounding,
@@ -60,7 +61,7 @@ std::string misspelt_in_pose(std::span<const std::string> keys);
 
 /// Returns a note on the case, and on each body, with such fields, if the field that may be meant
 /// is missing.
-std::vector<CaseNote> misspelt_fields(const text::JsonValue& document);
+std::vector<CaseNote> misspelt_fields(const text::JsonValue& document, bool plane);
 
 /// One of the two bodies as it is written.
 struct BodyFields {
@@ -77,6 +78,7 @@ struct CaseFields {
   BodyFields a, b;
   bool rounded = false;        ///< of both bodies
   bool moves = false;          ///< it has a twist: read_motion reads it
+  bool plane = false;          ///< its dimension is 2: read_shapes reads both bodies
   bool misspelt = false;       ///< perhaps: see looks_misspelt
   std::string fault;           ///< empty if the case is good; else what was expected where, and what was found
   std::size_t fault_line = 0;  ///< the number of lines of `text` before a syntax error
@@ -117,7 +119,8 @@ struct ShapesOfCase {
 
 /// Reads body a, or b, or both, of the object of a case. `rounded`: the case says that points are
 /// rounded once to the nearest binary64, which bodies with discs, balls, terms or planes refuse.
-ShapesOfCase read_shapes(const text::JsonValue& document, bool a, bool b, bool rounded);
+/// `dimension`: 2 of bodies of the plane.
+ShapesOfCase read_shapes(const text::JsonValue& document, bool a, bool b, bool rounded, unsigned dimension = 3);
 
 /// Reads faces, arrays of indices of points, into `body`, whose points were read. `path` names the
 /// field. Returns a sentence on what went wrong, or "".

@@ -15,6 +15,21 @@ using text::Json;
 
 Json number_json(const mpq_class& value) { return Json::exact(value); }
 Json point_json(const Point& p) { return Json::exact(p); }
+Json plane_point_json(const Point& p) { return Json::array({Json::exact(p.x), Json::exact(p.y)}); }
+
+/// A body of the plane needs no words: all that there are have these fields.
+Json plane_body_json(const Body& body) {
+  const auto vertices = [](const auto& points) { return Json::array_of(points, plane_point_json); };
+  if (body.pieces) return {{"pieces", Json::array_of(*body.pieces, vertices)}};
+  if (!body.shape) return {{"vertices", vertices(body.points)}};
+  const HalfSpace* const half = std::get_if<HalfSpace>(&body.shape->core);
+  Json result = half ? Json{{"shape", "halfplane"},
+                            {"normal", plane_point_json(half->normal)},
+                            {"offset", number_json(half->offset)}}
+                     : Json{{"vertices", vertices(points_of(*body.shape).value())}};
+  if (body.shape->radius > 0) result["margin"] = number_json(body.shape->radius);
+  return result;
+}
 
 Json matrix_json(const Pose& pose) {
   return Json::array_of(pose, [](const auto& row) { return Json::array_of(row, number_json); });
@@ -36,6 +51,8 @@ bool is_unmoved(const NamedBody& body) {
 }  // namespace
 
 Json body_json(const Body& body, const std::optional<Pose>& pose) {
+  if (body.dimension == 2 && pose) throw std::invalid_argument("a pose in space is none of a body of the plane");
+  if (body.dimension == 2) return plane_body_json(body);
   if (body.words && !pose) return body_json(*body.words);
   if (body.shape) throw std::invalid_argument("a shape without words has no text");
   const auto vertices = [](const auto& points) { return Json{{"vertices", Json::array_of(points, point_json)}}; };
@@ -89,7 +106,10 @@ Json motion_json(const Motion& motion) {
 }
 
 std::string case_json(const CaseText& text) {
-  Json result{{"schema", case_schema}, {"id", text.id}, {"a", text.a}, {"b", text.b}};
+  Json result{{"schema", case_schema}, {"id", text.id}};
+  if (text.plane) result["dimension"] = 2;
+  result["a"] = text.a;
+  result["b"] = text.b;
   if (text.pose_rounding) result["pose_rounding"] = "binary64";
   if (text.motion) result["twist"] = motion_json(*text.motion);
   if (!text.source.empty()) {
@@ -102,7 +122,8 @@ std::string case_json(const CaseText& text) {
 }
 
 std::string case_json(const Case& pair, const std::string& comment) {
-  return case_json({pair.id, body_json(pair.a), body_json(pair.b), {}, comment, false, pair.motion});
+  return case_json(
+      {pair.id, body_json(pair.a), body_json(pair.b), {}, comment, false, pair.motion, pair.a.dimension == 2});
 }
 
 }  // namespace fathom::files

@@ -38,6 +38,7 @@ struct CaseText {
   std::string comment;
   bool pose_rounding = false;  ///< whether readers round the placed points once to binary64
   std::optional<Motion> motion = {};
+  bool plane = false;  ///< the bodies are of the plane
 };
 
 /// One line of pure ASCII, without its newline.

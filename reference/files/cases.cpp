@@ -100,12 +100,14 @@ bool has_mesh(const BodyFields& fields, const Body& body) {
 /// Places both bodies. Returns a sentence on what went wrong, or "".
 std::string place(const text::JsonValue& document, CaseFields& fields, Case& result, std::vector<CaseNote>& notes) {
   std::string fault;
+  if (fields.plane) fields.a.is_shape = fields.b.is_shape = true;
   note_pose(fields.a, "a", notes);
   note_pose(fields.b, "b", notes);
   if (!fields.a.is_shape) fault = place(fields.a, fields.rounded, "a", result.a);
   if (fault.empty() && !fields.b.is_shape) fault = place(fields.b, fields.rounded, "b", result.b);
   if (fault.empty() && (fields.a.is_shape || fields.b.is_shape)) {
-    ShapesOfCase shapes = read_shapes(document, fields.a.is_shape, fields.b.is_shape, fields.rounded);
+    ShapesOfCase shapes =
+        read_shapes(document, fields.a.is_shape, fields.b.is_shape, fields.rounded, fields.plane ? 2 : 3);
     if (shapes.a) result.a = *std::move(shapes.a);
     if (shapes.b) result.b = *std::move(shapes.b);
     std::ranges::move(shapes.notes, std::back_inserter(notes));
@@ -221,7 +223,8 @@ CaseItem read_case(QuickCaseReader& reader, const UnreadCase& text, const std::s
   CaseFields fields = quick ? *std::move(quick) : read_case_fields(text.text, read);
   Case result{fields.id.value_or(std::to_string(line)), {}, {}};
   std::string fault = std::move(fields.fault);
-  std::vector<CaseNote> notes = fields.misspelt && read.whole ? misspelt_fields(read.value) : std::vector<CaseNote>{};
+  std::vector<CaseNote> notes =
+      fields.misspelt && read.whole ? misspelt_fields(read.value, fields.plane) : std::vector<CaseNote>{};
   std::string meant;  // perhaps, where a field is missing
   for (const CaseNote& note : notes) meant += "; " + note.text;
   if (fault.empty()) fault = place(read.value, fields, result, notes);

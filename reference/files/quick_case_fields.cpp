@@ -251,7 +251,8 @@ bool read_case(Value value, CaseFields& result) {
       case CasePlace::schema: return content_of(token_of(field)) == case_schema;
       case CasePlace::id: return read_id(field, result.id);
       case CasePlace::rounding: return read_rounding(field, result.rounded);
-      case CasePlace::twist: return false;
+      case CasePlace::twist:
+      case CasePlace::dimension: return false;
       default: result.misspelt = result.misspelt || looks_misspelt(key, false); return is_value(field, 0);
     }
   };

@@ -58,6 +58,33 @@ Shape made_sum(const ShapeFields& f) {
   return sum;
 }
 
+// ---- of the plane: z is 0 ----
+
+Shape made_rectangle(const ShapeFields& f) {
+  const std::vector<mpq_class>& half = f.numbers.find("half")->second;
+  if (half[0] <= 0 || half[1] <= 0) throw std::invalid_argument("the half lengths of a box are > 0");
+  return hull(std::vector<Point>{
+      {-half[0], -half[1], 0}, {half[0], -half[1], 0}, {half[0], half[1], 0}, {-half[0], half[1], 0}});
+}
+
+Shape made_halfplane(const ShapeFields& f) {
+  const std::vector<mpq_class>& normal = f.numbers.find("normal")->second;
+  if (normal[0] == 0 && normal[1] == 0) throw std::invalid_argument("the normal of a half-plane is not 0");
+  return halfspace({normal[0], normal[1], 0}, number(f, "offset"));
+}
+
+const std::vector<ShapeName>& names_of_plane() {
+  constexpr NumberField radius{"radius", 1}, half_length{"half_length", 1};
+  static const std::vector<ShapeName> all{
+      {"circle", {radius}, ShapePart::none, made_sphere},
+      {"capsule", {radius, half_length}, ShapePart::axis, made_capsule},
+      {"box", {{"half", 2}}, ShapePart::none, made_rectangle},
+      {"polygon", {}, ShapePart::vertices, made_hull},
+      {"halfplane", {{"normal", 2}, {"offset", 1}}, ShapePart::none, made_halfplane},
+  };
+  return all;
+}
+
 const std::vector<ShapeName>& names() {
   constexpr NumberField radius{"radius", 1}, half_length{"half_length", 1}, low{"radius_low", 1},
       high{"radius_high", 1};
@@ -171,8 +198,8 @@ class ShapeText {
     const std::string name(whole_name(text.substr(0, equals)));
     const std::string_view value = text.substr(equals + 1);
     if (!seen_.insert(name).second) fail("expected one field '" + name + "', found a second one");
-    if (has_number(shape, name)) {
-      words_.fields.numbers[name] = numbers(value, number_field(name)->count);
+    if (const NumberField* const number = number_field(shape, name)) {
+      words_.fields.numbers[name] = numbers(value, number->count);
     } else if (name == "axis" && shape.part == ShapePart::axis) {
       words_.fields.axis = axis(value);
     } else if (name == "at") {
@@ -196,12 +223,12 @@ class ShapeText {
 
 }  // namespace
 
-std::span<const ShapeName> shape_names() { return names(); }
+std::span<const ShapeName> shape_names(unsigned dimension) { return dimension == 2 ? names_of_plane() : names(); }
 
-NamedShape named_shape(std::string_view name) {
+NamedShape named_shape(std::string_view name, unsigned dimension) {
   const bool rounded = name.starts_with(rounded_prefix);
   if (rounded) name.remove_prefix(rounded_prefix.size());
-  for (const ShapeName& shape : names())
+  for (const ShapeName& shape : shape_names(dimension))
     if (shape.name == name) return {&shape, rounded};
   return {};
 }
@@ -214,14 +241,15 @@ const NumberField* number_field(std::string_view name) {
   return nullptr;
 }
 
-bool has_number(const ShapeName& shape, std::string_view name) {
-  return name == margin.name || std::any_of(shape.numbers.begin(), shape.numbers.end(),
-                                            [&](const NumberField& field) { return field.name == name; });
+const NumberField* number_field(const ShapeName& shape, std::string_view name) {
+  if (name == margin.name) return &margin;
+  const auto found = std::ranges::find(shape.numbers, name, &NumberField::name);
+  return found == shape.numbers.end() ? nullptr : &*found;
 }
 
-std::string list_of_shapes() {
+std::string list_of_shapes(unsigned dimension) {
   std::string list;
-  for (const ShapeName& shape : names()) list += (list.empty() ? "" : ", ") + std::string(shape.name);
+  for (const ShapeName& shape : shape_names(dimension)) list += (list.empty() ? "" : ", ") + std::string(shape.name);
   return list;
 }
 

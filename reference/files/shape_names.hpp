@@ -32,7 +32,7 @@ struct ShapeFields {
   std::vector<Shape> terms;
 };
 
-/// A field that is one number, or three.
+/// A field that is one number, or three; of the plane two.
 struct NumberField {
   std::string_view name;
   std::size_t count;
@@ -50,25 +50,23 @@ struct ShapeName {
   Shape (*made)(const ShapeFields&);
 };
 
-/// All of them.
-std::span<const ShapeName> shape_names();
+/// All of them; those of space, or with dimension 2 those of the plane.
+std::span<const ShapeName> shape_names(unsigned dimension = 3);
 
 /// A shape as input names it: "rounded_box" is a box that must have a margin.
 struct NamedShape {
   const ShapeName* shape = nullptr;  ///< null if there is none of this name
   bool rounded = false;
 };
-NamedShape named_shape(std::string_view name);
+NamedShape named_shape(std::string_view name, unsigned dimension = 3);
 
-/// Returns the number field called `name` of any shape, "margin" included; null if no shape has
-/// one.
+/// Returns the number field called `name` of any shape of space, or of this shape, "margin"
+/// included; null if there is none.
 const NumberField* number_field(std::string_view name);
-
-/// Returns whether this shape has the number field called `name`. Each has a margin.
-bool has_number(const ShapeName& shape, std::string_view name);
+const NumberField* number_field(const ShapeName& shape, std::string_view name);
 
 /// "sphere, capsule, ...", for messages.
-std::string list_of_shapes();
+std::string list_of_shapes(unsigned dimension = 3);
 
 /// The shape of these fields, with its margin if there is one. Throws as ShapeName::made does.
 Shape made_shape(const ShapeName& shape, const ShapeFields& fields);

@@ -73,9 +73,14 @@ Lengths lengths_of(const SignedDepth& depth, const std::optional<unsigned>& digi
 
 // ---- places: of polytopes rational, of shapes rational but for a root ----
 
-Json place(const Point& point) { return exact(point); }
-Json place(const AlongNormal& vector) { return vector_object(vector); }
-Json place(const RoundedPoint& point) { return point_object(point); }
+Json place(const Point& point, unsigned dimension = 3) { return exact(point, dimension); }
+Json place(const AlongNormal& vector, unsigned dimension = 3) { return vector_object(vector, dimension); }
+Json place(const RoundedPoint& point, unsigned dimension = 3) { return point_object(point, dimension); }
+
+/// The field of results about bodies of the plane.
+std::optional<unsigned> dimension_field(const Answer& answer) {
+  return answer.prisms ? std::optional(answer.dimension()) : std::nullopt;
+}
 
 /// For each listed optimum, or of the distance: moving A by it, the bodies touch.
 std::vector<Point> ways_of(const Depth& depth) {
@@ -94,8 +99,8 @@ std::optional<Witness> witness_of(const Depth& depth) { return depth.contact_poi
 std::optional<RoundedWitness> witness_of(const SignedDepth& depth) { return depth.witness(); }
 
 template <class SomeWitness>
-Json witness_json(const std::optional<SomeWitness>& witness) {
-  return witness ? Json{{"a", place(witness->a)}, {"b", place(witness->b)}} : Json();
+Json witness_json(const std::optional<SomeWitness>& witness, unsigned dimension) {
+  return witness ? Json{{"a", place(witness->a, dimension)}, {"b", place(witness->b, dimension)}} : Json();
 }
 
 Json counters_object(const Counters& counters) {
@@ -118,11 +123,12 @@ Json counters_object(const Counters& counters) {
   return result;
 }
 
-Json cone_object(const OptimalCone& cone) {
+Json cone_object(const OptimalCone& cone, unsigned dimension = 3) {
   Json rays = Json::array();
-  for (const Vector& ray : cone.rays) rays.push_back(exact(ray));
+  for (const Vector& ray : cone.rays) rays.push_back(exact(ray, dimension));
   const bool has_axis = cone.lineality == Lineality::line || cone.lineality == Lineality::plane;
-  return {{"lineality", lineality_name(cone)}, {"axis", has_axis ? exact(cone.axis) : Json()}, {"rays", rays}};
+  return {
+      {"lineality", lineality_name(cone)}, {"axis", has_axis ? exact(cone.axis, dimension) : Json()}, {"rays", rays}};
 }
 
 // ---- contact manifolds ----
@@ -187,6 +193,7 @@ Json weights_array(const std::vector<Weight>& weights) {
 /// `found`: what `answered` holds, Depth or SignedDepth.
 template <class Found>
 std::string found_json(const AnsweredCase& answered, const Found& found, const Shown& shown) {
+  const unsigned dimension = answered.answer.dimension();
   const std::optional<Status> status = found.status();
   const Depth* const core = answered.answer.core();
   const Penetration* const cores = core ? core->penetration() : nullptr;
@@ -195,44 +202,45 @@ std::string found_json(const AnsweredCase& answered, const Found& found, const S
   const auto first = ways.empty() ? std::nullopt : std::optional(ways.front());
   const auto translation =
       status == Status::touching || status == Status::disjoint ? std::optional(staying(found)) : first;
-  const Json translation_json = translation ? place(*translation) : Json();
+  const Json translation_json = translation ? place(*translation, dimension) : Json();
   const auto witness = witness_of(found);
   const auto shown_witness = status == Status::disjoint ? std::nullopt : witness;
   const Vector direction = found.direction();
-  const Json direction_json = exact(direction);
+  const Json direction_json = exact(direction, dimension);
   const Json contact = found.contact() ? contact_object(*found.contact()) : Json();
 
   Json optima = Json::array();
   for (std::size_t i = 0; status == Status::penetrating && i < ways.size(); ++i)
-    optima.push_back({{"direction", i == 0 || !cores ? direction_json : exact(cores->optima[i].direction)},
-                      {"translation", i == 0 ? translation_json : place(ways[i])},
+    optima.push_back({{"direction", i == 0 || !cores ? direction_json : exact(cores->optima[i].direction, dimension)},
+                      {"translation", i == 0 ? translation_json : place(ways[i], dimension)},
                       {"contact", cores ? contact_object(cores->optima[i].contact) : contact}});
   Result result{answered.id,
+                dimension_field(answered.answer),
                 answered.answer.status_name(),
                 lengths.signed_depth,
                 lengths.depth,
                 translation_json,
                 direction_json,
                 contact,
-                witness_json(shown_witness),
-                unit_f64(direction),
-                translation_f64(translation),
-                witness_f64(shown_witness),
+                witness_json(shown_witness, dimension),
+                unit_f64(direction, dimension),
+                translation_f64(translation, dimension),
+                witness_f64(shown_witness, dimension),
                 optima};
   if (shown.optima && cores) result.optima_count = cores->optima.size() + cores->unlisted;
   else if (shown.optima) result.optima_count = status == Status::penetrating ? ways.size() : 0;
   if constexpr (std::is_same_v<Found, SignedDepth>) {
-    if (found.cone) result.optimal_cone = cone_object(*found.cone);
+    if (found.cone) result.optimal_cone = cone_object(*found.cone, dimension);
     if (const Vector* const axis = found.around()) result.around = Json{{"axis", exact(*axis)}};
   }
   if (status == Status::disjoint) {
     Json& distance = result.distance.emplace(lengths.distance);
     distance["direction"] = direction_json;
-    distance["translation"] = first ? place(*first) : Json();
-    distance["witness"] = witness_json(witness);
+    distance["translation"] = first ? place(*first, dimension) : Json();
+    distance["witness"] = witness_json(witness, dimension);
     distance["unit_f64"] = result.unit_f64;
-    distance["translation_f64"] = translation_f64(first);
-    distance["witness_f64"] = witness_f64(witness);
+    distance["translation_f64"] = translation_f64(first, dimension);
+    distance["witness_f64"] = witness_f64(witness, dimension);
   }
   result.sizes = sizes_object(answered.bodies.sizes);
   result.hull = hull_object(answered.bodies.hull);
@@ -247,45 +255,47 @@ std::string found_json(const AnsweredCase& answered, const Found& found, const S
 
 // ---- unions ----
 
-Json contact_json(const PieceContact& c) {
+Json contact_json(const PieceContact& c, unsigned dimension) {
   return with_features({{"pieces", std::vector<std::uint32_t>{c.a, c.b}},
-                        {"direction", exact(c.direction)},
+                        {"direction", exact(c.direction, dimension)},
                         {"contact", contact_object(c.contact)}},
                        c);
 }
 
-Json optimum_json(const UnionOptimum& optimum) {
+Json optimum_json(const UnionOptimum& optimum, unsigned dimension) {
   Json contacts = Json::array();
-  for (const PieceContact& c : optimum.contacts) contacts.push_back(contact_json(c));
-  return {{"translation", exact(optimum.translation)},
+  for (const PieceContact& c : optimum.contacts) contacts.push_back(contact_json(c, dimension));
+  return {{"translation", exact(optimum.translation, dimension)},
           {"clearance", Json::boolean(optimum.clearance)},
           {"contacts", contacts}};
 }
 
-Json distance_json(const UnionDistance& apart, const Shown& shown) {
+Json distance_json(const UnionDistance& apart, const Shown& shown, unsigned dimension) {
   const Distance& d = apart.distance;
   return with_features({{"distance", length(d.squared, shown.digits)},
                         {"pieces", std::vector<std::uint32_t>{apart.a, apart.b}},
-                        {"translation", exact(d.translation)},
-                        {"witness", witness_object(d.witness)},
+                        {"translation", exact(d.translation, dimension)},
+                        {"witness", witness_object(d.witness, dimension)},
                         {"contact", contact_object(d.contact)}},
                        apart);
 }
 
 std::string found_json(const AnsweredCase& answered, const UnionDepth& depth, const Shown& shown) {
+  const unsigned dimension = answered.answer.dimension();
   Json optima = Json::array();
   for (std::size_t i = 0; i < depth.optima.size() && (!shown.optima || i < *shown.optima); ++i)
-    optima.push_back(optimum_json(depth.optima[i]));
+    optima.push_back(optimum_json(depth.optima[i], dimension));
   const UnionBounds& bounds = *depth.bounds;
   const UnionCounters& c = depth.counters;
   UnionResult result{answered.id,
+                     dimension_field(answered.answer),
                      name(depth.status),
                      depth.complete,
                      depth.complete ? length(depth.low, shown.digits) : Json(),
                      length(depth.low, shown.digits),
                      length(depth.high, shown.digits),
                      optima,
-                     depth.apart ? distance_json(*depth.apart, shown) : Json(),
+                     depth.apart ? distance_json(*depth.apart, shown, dimension) : Json(),
                      {{"depth", length(bounds.deepest_pair, std::nullopt)},
                       {"pieces", std::vector<std::uint32_t>{bounds.a, bounds.b}}},
                      length(bounds.hulls, std::nullopt),

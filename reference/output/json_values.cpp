@@ -58,13 +58,24 @@ Json in_every_direction(const Surd& value, Float (*round)(const Surd&, Rounding)
   return written([&](JsonStream& out) { write(out, rounded); });
 }
 
+/// Of a point, or of a vector.
+Json exact_array(const auto& p, unsigned dimension) {
+  return written([&](JsonStream& out) {
+    if (dimension == 3) out.exact(p);
+    else out.open('[').exact(p.x).exact(p.y).close(']');
+  });
+}
+
 Json bound(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 /// null for what is not finite.
-Json finite_array(const std::optional<std::array<double, 3>>& values) {
+Json finite_array(const std::optional<std::array<double, 3>>& values, unsigned dimension = 3) {
   if (!values || !std::ranges::all_of(*values, [](double x) { return std::isfinite(x); })) return {};
-  return written(
-      [&v = *values](JsonStream& out) { out.open('[').decimal(v[0]).decimal(v[1]).decimal(v[2]).close(']'); });
+  return written([&](JsonStream& out) {
+    out.open('[');
+    for (unsigned i = 0; i < dimension; ++i) out.decimal((*values)[i]);
+    out.close(']');
+  });
 }
 
 Json object_of(const polytope::MeshConvexity& found) {
@@ -97,13 +108,8 @@ Json exact(const mpq_class& q) {
   return written([&](JsonStream& out) { out.exact(q); });
 }
 
-Json exact(const Point& p) {
-  return written([&](JsonStream& out) { out.exact(p); });
-}
-
-Json exact(const Vector& v) {
-  return written([&](JsonStream& out) { out.exact(v); });
-}
+Json exact(const Point& p, unsigned dimension) { return exact_array(p, dimension); }
+Json exact(const Vector& v, unsigned dimension) { return exact_array(v, dimension); }
 
 Json length(const mpq_class& squared, const std::optional<unsigned>& digits) {
   return length(squared, kernels::roundings_of_root(squared), digits);
@@ -156,18 +162,22 @@ Json signed_depth_object(const SignedDepth& depth) {
   return result;
 }
 
-Json vector_object(const AlongNormal& vector) {
-  if (const std::optional<Point> point = rounded::rational_point(vector)) return exact(*point);
-  return {{"normal", exact(vector.normal)}, {"alpha", exact(vector.alpha)}, {"beta", exact(vector.beta)}};
+Json vector_object(const AlongNormal& vector, unsigned dimension) {
+  if (const std::optional<Point> point = rounded::rational_point(vector)) return exact(*point, dimension);
+  return {{"normal", exact(vector.normal, dimension)}, {"alpha", exact(vector.alpha)}, {"beta", exact(vector.beta)}};
 }
 
-Json point_object(const RoundedPoint& point) {
-  if (const std::optional<Point> place = rounded::rational_point(point)) return exact(*place);
-  return {{"core", exact(point.core)}, {"normal", exact(point.normal)}, {"distance", exact(point.distance)}};
+Json point_object(const RoundedPoint& point, unsigned dimension) {
+  if (const std::optional<Point> place = rounded::rational_point(point)) return exact(*place, dimension);
+  return {{"core", exact(point.core, dimension)},
+          {"normal", exact(point.normal, dimension)},
+          {"distance", exact(point.distance)}};
 }
 
-Json numbers(const std::array<double, 3>& values) { return finite_array(values); }
-Json unit_f64(const Vector& direction) { return numbers(rounded::nearest_unit(direction)); }
+Json numbers(const std::array<double, 3>& values, unsigned dimension) { return finite_array(values, dimension); }
+Json unit_f64(const Vector& direction, unsigned dimension) {
+  return numbers(rounded::nearest_unit(direction), dimension);
+}
 
 Json contact_object(const Contact& contact) {
   return written([&](JsonStream& out) {
@@ -177,7 +187,9 @@ Json contact_object(const Contact& contact) {
   });
 }
 
-Json witness_object(const Witness& witness) { return {{"a", exact(witness.a)}, {"b", exact(witness.b)}}; }
+Json witness_object(const Witness& witness, unsigned dimension) {
+  return {{"a", exact(witness.a, dimension)}, {"b", exact(witness.b, dimension)}};
+}
 
 Json flat_array(const BodyFacts& facts) {
   Json result = Json::array();
@@ -197,8 +209,9 @@ AboutBodies about_bodies(const Case& input, bool one_body) {
 }
 
 Json sizes_object(const shapes::BodySizes& sizes) {
-  Json result = {{"a", finite_array(sizes.a)}};
-  if (!sizes.one_body) result["b"] = finite_array(sizes.b);
+  const unsigned dimension = sizes.plane ? 2 : 3;
+  Json result = {{"a", finite_array(sizes.a, dimension)}};
+  if (!sizes.one_body) result["b"] = finite_array(sizes.b, dimension);
   return result;
 }
 

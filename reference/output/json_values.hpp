@@ -29,8 +29,9 @@ using text::JsonStream;
 // ---- rational numbers ----
 
 Json exact(const mpq_class& q);
-Json exact(const Point& p);
-Json exact(const Vector& v);
+// `dimension`: 2 in the plane, where the third coordinate, which is 0, is left out.
+Json exact(const Point& p, unsigned dimension = 3);
+Json exact(const Vector& v, unsigned dimension = 3);
 
 /// A length by its exact square, with roundings, and an enclosure if digits are given.
 Json length(const mpq_class& squared, const std::optional<unsigned>& digits);
@@ -63,29 +64,30 @@ Json signed_depth_object(const SignedDepth& depth);
 
 /// A point as three rationals if it is rational; else {"normal", "alpha", "beta"}, and {"core",
 /// "normal", "distance"}.
-Json vector_object(const AlongNormal& vector);
-Json point_object(const RoundedPoint& point);
+Json vector_object(const AlongNormal& vector, unsigned dimension = 3);
+Json point_object(const RoundedPoint& point, unsigned dimension = 3);
 
 // ---- the same in binary64 ----
 
 // Null of what there is not, and of what is beyond all finite numbers.
 
-Json numbers(const std::array<double, 3>& values);
-Json unit_f64(const Vector& direction);
+Json numbers(const std::array<double, 3>& values, unsigned dimension = 3);
+Json unit_f64(const Vector& direction, unsigned dimension = 3);
 template <class Translation>
-Json translation_f64(const std::optional<Translation>& translation) {
-  return translation ? numbers(rounded::nearest_binary64(*translation)) : Json();
+Json translation_f64(const std::optional<Translation>& translation, unsigned dimension = 3) {
+  return translation ? numbers(rounded::nearest_binary64(*translation), dimension) : Json();
 }
 template <class SomeWitness>
-Json witness_f64(const std::optional<SomeWitness>& witness) {
+Json witness_f64(const std::optional<SomeWitness>& witness, unsigned dimension = 3) {
   if (!witness) return {};
-  return {{"a", numbers(rounded::nearest_binary64(witness->a))}, {"b", numbers(rounded::nearest_binary64(witness->b))}};
+  return {{"a", numbers(rounded::nearest_binary64(witness->a), dimension)},
+          {"b", numbers(rounded::nearest_binary64(witness->b), dimension)}};
 }
 
 // ---- contacts and bodies ----
 
 Json contact_object(const Contact& contact);
-Json witness_object(const Witness& witness);
+Json witness_object(const Witness& witness, unsigned dimension = 3);
 Json flat_array(const BodyFacts& facts);
 
 /// The fields of the bodies that every result has, whatever was asked about them.

@@ -24,6 +24,7 @@ using text::Json;
 
 struct Result {
   std::string id;
+  std::optional<unsigned> dimension;
   std::string_view status;
   Json signed_depth = {}, depth = {}, translation = {}, direction = {}, contact = {}, witness = {};
   Json unit_f64 = {}, translation_f64 = {}, witness_f64 = {};
@@ -42,6 +43,9 @@ struct Result {
 
 inline constexpr std::tuple result_fields{
     field("id", &Result::id, "", "Of the case; for mesh files their names as given."),
+    field("dimension", &Result::dimension, "",
+          "2 of bodies of the plane: then vectors and points have two coordinates, and contacts are those of vertices "
+          "and edges."),
     field("status", &Result::status, "",
           "Where O lies with respect to P = B (+) (-A): in its interior; on its boundary, or in a flat P; outside. "
           "undecided: the bounds of a signed depth leave it open."),
@@ -106,6 +110,7 @@ constexpr const auto& fields_of(const Result*) { return result_fields; }
 
 struct UnionResult {
   std::string id;
+  std::optional<unsigned> dimension;
   std::string_view status;
   bool complete;
   Json depth, low, high, optima, apart, deepest_pair, hulls, counters;
@@ -116,6 +121,9 @@ struct UnionResult {
 
 inline constexpr std::tuple union_result_fields{
     field("id", &UnionResult::id, "", "The names of the files as given."),
+    field("dimension", &UnionResult::dimension, "",
+          "2 of bodies of the plane: then vectors and points have two coordinates, and contacts are those of vertices "
+          "and edges."),
     field("status", &UnionResult::status, "", "Whether the interiors meet, or the bodies alone, or neither."),
     field("complete", &UnionResult::complete, "",
           "false: the search was interrupted, and low and high enclose the depth."),

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fathom/patch.hpp"
+#include "fathom/plane.hpp"
 #include "kernels/context.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
@@ -252,6 +253,7 @@ namespace fathom {
 
 ContactGeometry contact_geometry(const Body& a, const Body& b, const Answer& answer, Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
+  require_space(a, b, "a contact patch");
   if (const Depth* const depth = std::get_if<Depth>(&answer.found))
     return patch::of_polytopes(a, b, *depth, nullptr, nullptr, monitor);
   if (const SignedDepth* const shapes = std::get_if<SignedDepth>(&answer.found))

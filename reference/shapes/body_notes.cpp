@@ -90,8 +90,9 @@ std::string number_text(double length) {
                                : fmt::format("over {:.4g}", std::numeric_limits<double>::max());
 }
 
-std::string text_of(const std::optional<Lengths>& lengths) {
-  if (!lengths) return "a half-space";
+std::string text_of(const std::optional<Lengths>& lengths, bool plane) {
+  if (!lengths) return plane ? "a half-plane" : "a half-space";
+  if (plane) return fmt::format("{} x {}", number_text((*lengths)[0]), number_text((*lengths)[1]));
   return fmt::format("{} x {} x {}", number_text((*lengths)[0]), number_text((*lengths)[1]),
                      number_text((*lengths)[2]));
 }
@@ -106,12 +107,12 @@ std::optional<Lengths> extent(const Body& body) {
   return terms ? std::optional(extent_of(*body.shape, *terms)) : std::nullopt;
 }
 
-BodySizes sizes_of(const Body& a, const Body& b) { return {extent(a), extent(b)}; }
+BodySizes sizes_of(const Body& a, const Body& b) { return {extent(a), extent(b), false, a.dimension == 2}; }
 
 BodySizes sizes_of(const Body& a) { return {extent(a), std::nullopt, true}; }
 
 std::string sizes_text(const BodySizes& sizes) {
-  return "A " + text_of(sizes.a) + (sizes.one_body ? "" : ", B " + text_of(sizes.b));
+  return "A " + text_of(sizes.a, sizes.plane) + (sizes.one_body ? "" : ", B " + text_of(sizes.b, sizes.plane));
 }
 
 std::optional<std::string> sizes_note(const BodySizes& sizes) {

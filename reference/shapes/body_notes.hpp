@@ -25,11 +25,12 @@ std::optional<std::array<double, 3>> extent(const Body& body);
 struct BodySizes {
   std::optional<std::array<double, 3>> a, b;
   bool one_body = false;  ///< A alone
+  bool plane = false;     ///< the bodies are of the plane: the lengths along z are 0
 };
 BodySizes sizes_of(const Body& a, const Body& b);
 BodySizes sizes_of(const Body& a);
 
-/// "A 2 x 2 x 2, B 1 x 1 x 1".
+/// "A 2 x 2 x 2, B 1 x 1 x 1"; in the plane "A 2 x 2, B 1 x 1".
 std::string sizes_text(const BodySizes& sizes);
 
 /// A sentence if one body is more than 100 times as large as the other.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
+#include "fathom/plane.hpp"
 #include "kernels/float_environment.hpp"
 #include "reference/depth/apart.hpp"
 #include "reference/depth/contact.hpp"
@@ -142,6 +143,7 @@ Depth penetration_depth(std::span<const std::array<double, 3>> a, std::span<cons
 }
 
 Depth penetration_depth(const Body& a, const Body& b, const Options& options) {
+  require_space(a, b, "penetration_depth");
   return depth_of(a.points, b.points, options);
 }
 

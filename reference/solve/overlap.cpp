@@ -94,9 +94,11 @@ Closeness proved_closeness(const polytope::PlacedPair& pair, const mpq_class& di
 /// Whether both are polytopes. Throws std::invalid_argument if they are not, and a proof is asked
 /// for.
 bool polytopes(const Body& a, const Body& b, const OverlapOptions& options) {
-  const bool both = !a.shape && !a.pieces && !b.shape && !b.pieces;
+  const bool in_space = a.dimension == 3 && b.dimension == 3;
+  const bool both = in_space && !a.shape && !a.pieces && !b.shape && !b.pieces;
   if (options.proof && !both)
-    throw std::invalid_argument("a proof of overlap is of polytopes; the certificate of the depth proves it of others");
+    throw std::invalid_argument(
+        "a proof of overlap is of polytopes in space; the certificate of the depth proves it of others");
   return both;
 }
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   two bodies of the plane.
+// Output  the bodies of space that stand for them, and what an answer about these says of the plane.
+//                                                                               [proofs/plane.md]
+//
+// Point i of a body of n points becomes point i, at the height -h, and point n + i, at h. The first
+// body stays flat, at the height 0, unless a body is a union, whose pieces need interiors.
+#pragma once
+
+#include <gmpxx.h>
+
+#include "fathom/answer.hpp"
+#include "fathom/body.hpp"
+
+namespace fathom::answer {
+
+/// Bodies of space that stand for two bodies of the plane.
+struct Prisms {
+  Body a, b;
+  mpq_class height;  ///< h; 0 if nothing is raised, beside a half-plane
+};
+
+/// A power of two above the sum of the bodies' extents along x, which is more than the depth of
+/// their cores.
+mpq_class height_above(const Body& a, const Body& b);
+
+/// Throws std::invalid_argument unless both are of the plane.
+Prisms prisms_of(const Body& a, const Body& b);
+
+/// What the answer about the prisms says of the bodies.
+Answer in_plane(const Body& a, const Body& b, Answer of_prisms);
+
+/// Whether a body of the plane has no interior.
+bool is_flat_in_plane(const Body& body);
+
+}  // namespace fathom::answer
