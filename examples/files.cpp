@@ -26,7 +26,7 @@ int main() {
   std::cout << doubles.points[1].x << " or " << decimals.points[1].x << ", " << decimals.points[2].y << ", "
             << decimals.points[3].z << "\n";
   try {
-    fathom::parse_mesh("0 0\n", "points", fathom::Decimals::exact, fathom::MeshFormat::xyz);
+    fathom::parse_mesh("0 0\n1\n", "points", fathom::Decimals::exact, fathom::MeshFormat::xyz);
   } catch (const fathom::InputError& error) {
     std::cout << error.what() << "\n" << error.file() << ", line " << error.line() << "\n";
   }
@@ -40,8 +40,8 @@ int main() {
 }
 
 //> 3602879701896397/36028797018963968 or 1/10, 1/3, 1/8
-//> points:1: expected three numbers x y z, found 2 columns
-//> points, line 1
+//> points:2: expected 2 columns as in the lines before, found 1 column
+//> points, line 2
 //> line 1, far: 22/7
 //> line 2, odd: cases.jsonl:2: a.vertices: expected at least one point, found none
 //> memory:1: a: expected a field 'vertices', found none

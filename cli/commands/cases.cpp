@@ -160,12 +160,12 @@ ExitCode print_list(std::span<const families::Family> all) {
   return fine;
 }
 
-ExitCode print_meshes(const BodiesRequest& request) {
+ExitCode print_meshes(const BodiesRequest& request) try {
   const auto pose = [&](const std::optional<std::string>& text, const char* option) {
     return text ? std::optional(asked_pose(*text, option, request.decimals, false)) : std::nullopt;
   };
   const auto posed = [](Body body, const std::optional<files::GivenPose>& given) {
-    if (given && body.words) {  // it has a pose of its own
+    if (given && (body.words || body.dimension == 2)) {  // it has a pose of its own, or none that could be written
       files::place(body, *given);
       return files::body_json(body);
     }
@@ -176,9 +176,14 @@ ExitCode print_meshes(const BodiesRequest& request) {
   const std::string &path_a = request.inputs[0], &path_b = request.inputs[1];
   const std::vector<Body> bodies = bodies_of_inputs(request);
   const Body &a = bodies[0], &b = bodies[1];
-  print(files::case_json(
-      {path_a + " " + path_b, posed(a, pose_a), posed(b, pose_b), {{"a", path_a}, {"b", path_b}}, ""}));
+  if (a.dimension != b.dimension)
+    throw InputError(path_a + " " + path_b, 0, wrong_bodies({"", a, b}, false, "", "", ""));
+  files::CaseText text{path_a + " " + path_b, posed(a, pose_a), posed(b, pose_b), {{"a", path_a}, {"b", path_b}}, ""};
+  text.plane = a.dimension == 2;
+  print(files::case_json(text));
   return fine;
+} catch (const std::invalid_argument& error) {
+  throw InputError("--pose-a, --pose-b", 0, error.what());
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "fathom/files.hpp"
 #include "fathom/solid.hpp"
 #include "kernels/messages.hpp"
+#include "reference/answer/plane.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/file_io.hpp"
 #include "reference/files/piece_files.hpp"
@@ -44,7 +45,9 @@ void tell_of_file(const std::string& input, const Body& body) {
 /// Returns the union of the pieces of a file or folder, each of which needs an interior.
 Body union_of_input(const std::string& input, const BodiesRequest& request) {
   Body body = files::read_union(input, request.decimals, [&](const files::NamedPiece& piece, std::size_t number) {
-    if (!is_flat(hull(piece.mesh.points.exact()))) return true;
+    if (piece.mesh.shape) return true;  // refused by the reader
+    if (!(piece.mesh.dimension == 2 ? answer::is_flat_in_plane(piece.mesh) : is_flat(hull(piece.mesh.points.exact()))))
+      return true;
     const std::string which =
         fmt::format("piece {}{}", number, piece.name.empty() ? "" : fmt::format(" ({})", kernels::shown(piece.name)));
     if (!request.skip_flat)

@@ -117,8 +117,8 @@ struct Body {
   /// Then it is that of a closed mesh, and the pieces tile it (fathom/solid.hpp). Whoever changes
   /// the pieces takes it away.
   std::shared_ptr<const Solid> solid = nullptr;
-  /// 2 of a body of the plane (fathom/plane.hpp): then the z of all that makes it is 0, and the plane
-  /// has no other bodies.
+  /// 2 of a body of the plane (fathom/plane.hpp): then the z of all that makes it is 0, and nothing
+  /// of it is curved.
   unsigned dimension = 3;
 };
 

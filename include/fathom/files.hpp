@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies from files: meshes (OFF, OBJ, PLY, STL, plain points; glTF, COLLADA, 3MF by Assimp), and
-// cases of two bodies as JSON, one a line or one a file.
+// Bodies from files: meshes (OFF, OBJ, PLY, STL, plain points; glTF, COLLADA, 3MF by Assimp),
+// bodies of the plane (SVG, plain points of two coordinates), and cases of two bodies as JSON, one
+// a line or one a file.
 #pragma once
 
 #include <cstddef>
@@ -44,20 +45,22 @@ class InputError : public std::runtime_error {
 /// The mesh formats that are read. PLY, STL and glTF may be text or binary, as the file itself
 /// says. The last three are scenes, which Assimp reads: its coordinates, in binary32, are taken
 /// exactly.
-enum class MeshFormat { off, obj, ply, stl, xyz, gltf, collada, threemf };
+enum class MeshFormat { off, obj, ply, stl, xyz, svg, gltf, collada, threemf };
 
 /// Returns the points of the mesh in the file `path`, exactly, in order of appearance; repeated
-/// points stay (an STL repeats each corner). Binary floats, hexadecimal floats, integers and ratios
-/// p/q are taken as they are. `decimals` says what a decimal stands for: the nearest binary64,
-/// which is what other programs read, or its own value. Faces are kept as they are, once their
-/// indices are checked. Whatever else a mesh holds (normals, colours, texture) is skipped; a mesh
-/// without faces is a point set. The extension tells the format (.off .obj .ply .stl .xyz .txt .pts
-/// .gltf .glb .dae .3mf), else the first bytes do. Of a scene, each node's meshes are placed by the
-/// transforms above it, exactly, and corners of faces are its points, in the order of the nodes;
-/// only buffers in the folder of the file are read beside it. "scene.glb#name" is the one node, or
-/// the node that shows the one mesh, of this name; of OBJ the group, of STL the solid. Throws
-/// InputError, with file and line (in binary files, the byte or the part), for anything missing,
-/// truncated, out of range or not a number.
+/// points stay (an STL repeats each corner). Binary floats, hexadecimal floats, integers and
+/// ratios p/q are taken as they are. `decimals` says what a decimal stands for: the nearest
+/// binary64, which is what other programs read, or its own value. Faces are kept as they are,
+/// once their indices are checked. Whatever else a mesh holds (normals, colours, texture) is
+/// skipped; a mesh without faces is a point set. The extension tells the format (.off .obj .ply
+/// .stl .xyz .txt .pts .svg .gltf .glb .dae .3mf), else the first bytes do. Lines of two numbers,
+/// and an SVG of one shape, are a body of the plane (fathom/plane.hpp); y is as it is written. Of
+/// a scene, each node's meshes are placed by the transforms above it, exactly, and corners of
+/// faces are its points, in the order of the nodes; only buffers in the folder of the file are
+/// read beside it. "scene.glb#name" is the one node, or the node that shows the one mesh, of this
+/// name; of OBJ the group, of STL the solid, of SVG the shape. Throws InputError, with file and
+/// line (in binary files, the byte or the part), for anything missing, truncated, out of range or
+/// not a number.
 Body read_mesh(const std::string& path, Decimals decimals = Decimals::binary64);
 
 /// The same for a mesh in memory; `name` is its file name, which may tell the format and appears in

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies of the plane: polygons, points, segments, circles, capsules, rounded polygons, half-planes,
-// and unions of polygons.                                                          [proofs/plane.md]
+// Bodies of the plane: polygons, points, segments, circles, capsules, rounded polygons,
+// half-planes, and unions of polygons.                                          [proofs/plane.md]
 //
 // Such a body is a Body whose dimension is 2. exact_answer, overlap and closer_than take two of
 // them; what takes bodies of space alone throws std::invalid_argument at them. In an answer every z
@@ -11,12 +11,9 @@
 
 namespace fathom {
 
-/// Returns the body as one of the plane. Points and radii stay: a sphere is a circle, a half-space a
-/// half-plane; of a mesh the points alone are kept. Throws std::invalid_argument if a z is not 0, a
-/// core is curved, or the body is the solid of a mesh.
+/// Returns the body as one of the plane. Points and radii stay: a sphere is a circle, a
+/// half-space a half-plane; of a mesh the points alone are kept. Throws std::invalid_argument if
+/// a z is not 0, a core is curved, or the body is the solid of a mesh.
 Body in_plane(Body body);
-
-/// Throws std::invalid_argument if a body is of the plane, and tells that `what` takes none.
-void require_space(const Body& a, const Body& b, std::string_view what);
 
 }  // namespace fathom

@@ -232,9 +232,4 @@ Body in_plane(Body body) {
   return body;
 }
 
-void require_space(const Body& a, const Body& b, std::string_view what) {
-  if (a.dimension == 2 || b.dimension == 2)
-    throw std::invalid_argument(std::string(what) + " takes bodies of space, found a body of the plane");
-}
-
 }  // namespace fathom

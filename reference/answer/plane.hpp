@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies of the plane.
-// Output  the bodies of space that stand for them, and what an answer about these says of the plane.
+// Output  the bodies of space that stand for them, and what an answer about these says of them.
 //                                                                               [proofs/plane.md]
 //
 // Point i of a body of n points becomes point i, at the height -h, and point n + i, at h. The first

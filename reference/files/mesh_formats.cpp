@@ -32,6 +32,7 @@ std::optional<MeshFormat> format_of_name(const std::string& name) {
   if (ending == "ply") return MeshFormat::ply;
   if (ending == "stl") return MeshFormat::stl;
   if (ending == "gltf" || ending == "glb") return MeshFormat::gltf;
+  if (ending == "svg") return MeshFormat::svg;
   if (ending == "dae") return MeshFormat::collada;
   if (ending == "3mf") return MeshFormat::threemf;
   if (ending == "xyz" || ending == "txt" || ending == "pts") return MeshFormat::xyz;
@@ -51,6 +52,7 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
   if (bytes.starts_with("glTF")) return MeshFormat::gltf;
   if (bytes.starts_with("<") && bytes.substr(0, head).find("<COLLADA") != std::string_view::npos)
     return MeshFormat::collada;
+  if (bytes.starts_with("<") && bytes.substr(0, head).find("<svg") != std::string_view::npos) return MeshFormat::svg;
   TextScanner scanner(bytes, "", {.comment = '#'});
   if (scanner.next_line()) {
     const std::string_view token = scanner.next_token();
@@ -243,6 +245,7 @@ Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decima
     case MeshFormat::obj: return files::parse_obj(bytes, name, decimals);
     case MeshFormat::ply: return files::parse_ply(bytes, name, decimals);
     case MeshFormat::stl: return files::parse_stl(bytes, name, decimals);
+    case MeshFormat::svg: return files::parse_svg(bytes, name, decimals);
     case MeshFormat::gltf:
     case MeshFormat::collada:
     case MeshFormat::threemf: return files::one_mesh(files::parse_scene(bytes, name, format, nullptr));

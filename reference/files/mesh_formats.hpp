@@ -120,7 +120,12 @@ std::vector<NamedPiece> parse_obj_pieces(std::string_view text, const std::strin
 std::vector<NamedPiece> parse_stl_pieces(std::string_view bytes, const std::string& name, Decimals decimals);
 /// Numbers the corners anew, by those that there are; returns their old numbers, in order.
 std::vector<std::uint32_t> renumbered(std::vector<std::uint32_t>& corners);
+/// Lines of two numbers, the same in all of them, are a body of the plane.
 Body parse_xyz(std::string_view text, const std::string& name, Decimals decimals);
+/// The shapes of a drawing, which are bodies of the plane; the first throws InputError unless there
+/// is one.
+Body parse_svg(std::string_view text, const std::string& name, Decimals decimals);
+std::vector<NamedPiece> parse_svg_pieces(std::string_view text, const std::string& name, Decimals decimals);
 
 /// The format of a mesh, by its name or else by its first bytes; nullopt if neither tells.
 std::optional<MeshFormat> mesh_format(std::string_view bytes, const std::string& name);

@@ -50,6 +50,7 @@ ScenePieces pieces_of_file(const std::string& file, Decimals decimals) {
   const std::optional<MeshFormat> format = bytes.empty() ? std::nullopt : mesh_format(bytes, file);
   if (format && is_scene(*format)) return parse_scene(bytes, file, *format, &folder);
   if (format == MeshFormat::obj) return {parse_obj_pieces(bytes, file, decimals), {}};
+  if (format == MeshFormat::svg) return {parse_svg_pieces(bytes, file, decimals), {}};
   if (format == MeshFormat::stl) return {parse_stl_pieces(bytes, file, decimals), {}};
   ScenePieces result;
   result.pieces.push_back({parse_mesh(bytes, file, decimals), ""});
@@ -192,6 +193,7 @@ Body union_of(const std::vector<Body>& pieces) {
   }
   Body body = union_of(std::move(points));
   body.faces = faces_of(std::move(faces));
+  body.dimension = pieces.front().dimension;
   return body;
 }
 
@@ -208,6 +210,12 @@ Body read_union(const std::string& path, Decimals decimals, const PieceFilter& s
   std::size_t number = 0;
   for (NamedPiece& piece : all.pieces) {
     if (stays && !stays(piece, number++)) continue;
+    if (piece.mesh.shape)
+      throw InputError(
+          path, 0,
+          "expected polygons as pieces, found a circle: unions with radii have another depth than their cores");
+    if (!meshes.empty() && meshes.front().dimension != piece.mesh.dimension)
+      throw InputError(path, 0, "expected pieces that are all of the plane or all of space, found both");
     meshes.push_back(std::move(piece.mesh));
     facts.names.push_back(std::move(piece.name));
   }

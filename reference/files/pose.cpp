@@ -21,6 +21,11 @@
 namespace fathom::files {
 namespace {
 
+/// Whether it maps points of the plane z = 0 to such, whatever z is.
+bool keeps_plane(const Pose& pose) {
+  return pose[0][2] == 0 && pose[1][2] == 0 && pose[2][0] == 0 && pose[2][1] == 0 && pose[2][3] == 0;
+}
+
 using Rows = std::array<std::array<mpq_class, 3>, 3>;
 
 mpq_class applied(const std::array<mpq_class, 4>& row, const Point& p) {
@@ -354,6 +359,8 @@ std::string pose_note(const GivenPose& given, bool has_radius) {
 
 void place(Body& body, const GivenPose& given) {
   const Pose pose = exact_pose(given);
+  if (body.dimension == 2 && !keeps_plane(pose))
+    throw std::invalid_argument("expected a pose in the plane, which leaves z as it is, found another");
   const bool flattened =
       given.matrix && determinant(linear_part(*given.matrix)) == 0;  // only points can be: there are no words for it
   if (body.words) body.words = flattened ? nullptr : std::make_shared<const NamedBody>(posed(*body.words, given));

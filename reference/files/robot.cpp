@@ -322,6 +322,7 @@ Body body_of_element(const PosedRobot& posed, std::size_t link, const CollisionE
   } else {
     const std::string path = path_of_mesh(posed.robot, element, options.package_paths);
     body = options.meshes == MeshAs::pieces ? read_union(path, options.decimals) : read_mesh(path, options.decimals);
+    if (body.dimension == 2) throw std::invalid_argument("expected a mesh, found a body of the plane");
     const Point& s = element.scale;
     if (s != Point{1, 1, 1}) place(body, {Pose{{{s.x, 0, 0, 0}, {0, s.y, 0, 0}, {0, 0, s.z, 0}}}});
   }

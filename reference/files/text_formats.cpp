@@ -131,7 +131,8 @@ Body piece_of(const std::vector<Point>& points, MeshFaces faces) {
 
 // ---- plain points ----
 
-// One a line: x y z, or x,y,z. Skips further columns (normals, colours), if every line has as many.
+// One a line: x y z, or x,y,z; or x y, and the body is one of the plane. Skips further columns
+// (normals, colours), if every line has as many.
 // A first line with a single whole number announces how many points follow (as in .pts files), and
 // must be right.
 
@@ -256,20 +257,24 @@ Body parse_xyz(std::string_view text, const std::string& name, Decimals decimals
       reserve_within(points, count, scanner.bytes_left(), 6);  // "0 0 0\n"
       continue;
     }
-    const std::string expected = width ? number_of(width) + " as in the lines before" : "three numbers x y z";
-    if (columns.size() < 3 || (width && columns.size() != width)) {
+    const std::string expected =
+        width ? number_of(width) + " as in the lines before" : "three numbers x y z, or two of the plane";
+    if (columns.size() < 2 || (width && columns.size() != width)) {
       throw InputError(name, scanner.line(), "expected " + expected + ", found " + number_of(columns.size()));
     }
     width = columns.size();
-    std::array<Coordinate, 3> point;
-    for (std::size_t i = 0; i < point.size(); ++i) point[i] = parse_coordinate(columns[i], scanner, decimals);
+    std::array<Coordinate, 3> point{0.0, 0.0, 0.0};
+    for (std::size_t i = 0; i < std::min(width, point.size()); ++i)
+      point[i] = parse_coordinate(columns[i], scanner, decimals);
     points.add(std::move(point));
   }
   if (points.empty()) scanner.fail_at_end("at least one point x y z");
   if (announced && *announced != points.size()) {
     scanner.fail("the number of points announced, " + std::to_string(*announced), std::to_string(points.size()));
   }
-  return {points.take()};
+  Body body{points.take()};
+  if (width == 2) body.dimension = 2;
+  return body;
 }
 
 }  // namespace fathom::files

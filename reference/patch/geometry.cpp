@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "fathom/patch.hpp"
-#include "fathom/plane.hpp"
 #include "kernels/context.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
@@ -19,6 +18,7 @@
 #include "reference/rounded/optimal_cone.hpp"
 #include "reference/shapes/core.hpp"
 #include "reference/solve/depth.hpp"
+#include "reference/solve/require_space.hpp"
 
 namespace fathom::patch {
 namespace {
@@ -253,7 +253,7 @@ namespace fathom {
 
 ContactGeometry contact_geometry(const Body& a, const Body& b, const Answer& answer, Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
-  require_space(a, b, "a contact patch");
+  solve::require_space(a, b, "a contact patch");
   if (const Depth* const depth = std::get_if<Depth>(&answer.found))
     return patch::of_polytopes(a, b, *depth, nullptr, nullptr, monitor);
   if (const SignedDepth* const shapes = std::get_if<SignedDepth>(&answer.found))

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
-#include "fathom/plane.hpp"
 #include "kernels/float_environment.hpp"
 #include "reference/depth/apart.hpp"
 #include "reference/depth/contact.hpp"
@@ -17,6 +16,7 @@
 #include "reference/expanding/expander.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/lattice.hpp"
+#include "reference/solve/require_space.hpp"
 
 namespace fathom::solve {
 namespace {
@@ -143,7 +143,7 @@ Depth penetration_depth(std::span<const std::array<double, 3>> a, std::span<cons
 }
 
 Depth penetration_depth(const Body& a, const Body& b, const Options& options) {
-  require_space(a, b, "penetration_depth");
+  solve::require_space(a, b, "penetration_depth");
   return depth_of(a.points, b.points, options);
 }
 

@@ -250,6 +250,7 @@ std::variant<PublishedClaim, InputError> parse_claim(const std::string& text, co
     return InputError(
         name, line,
         "expected convex bodies, found a union of pieces: claims are about the signed depth of convex ones");
+  if (a.dimension == 2) return InputError(name, line, "expected bodies of space, found bodies of the plane");
   if (shapes::is_halfspace(a) && shapes::is_halfspace(b))
     return InputError(name, line, "expected one half-space at most, found two: they have no depth");
   claim.source = text_of(json, "source");

@@ -129,9 +129,11 @@ class OwnRecords {
         throw wrong("expected an id of letters, digits and . _ - alone, found " + kernels::shown(item->id));
       if (!names.insert(item->id).second) throw wrong("the id " + kernels::shown(item->id) + " occurred before");
       const Case& points = item->value();
-      for (const Body* body : {&points.a, &points.b})
+      for (const Body* body : {&points.a, &points.b}) {
+        if (body->dimension == 2) throw wrong("expected bodies of space, found bodies of the plane");
         if (body->shape || body->pieces)
           throw wrong("expected vertices, found a shape or pieces: a case of an export is two lists of points");
+      }
       const Record record =
           record_of({Source::real, item->id, 0, 0}, {Form::given, item->id, HullPair{points.a, points.b}}, monitor);
       std::optional<ExportCase> entry = export_case(record.line);
