@@ -89,8 +89,7 @@ std::vector<std::uint32_t> mapped(const std::vector<std::uint32_t>& ids, std::si
   std::vector<std::uint32_t> result;
   for (const std::uint32_t id : ids) result.push_back(id % static_cast<std::uint32_t>(count));
   std::ranges::sort(result);
-  const auto [end, last] = std::ranges::unique(result);
-  result.erase(end, last);
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 
