@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Prints what the main theorems rest on; compared with assumptions.expected. *)
 From Fathom.geometry Require Import depth kinds width minkowski wording combinations signed_depth existence rounded ways_out gaps seams patches rates_overlap rates_plane
-  rates_moving motions crossings tiles_winding tilings said union_depth mesh_said.
+  rates_moving motions crossings tiles_winding tilings said union_depth mesh_said plane.
 From Fathom.soundness Require Import main corollaries every_motion facets_listed verdict_sound example cone_sound signed_sound union_sound union_example patch_sound patch_verdict_sound
-  patch_example tiling_sound tiling_example.
+  patch_example tiling_sound tiling_example plane_sound.
 
 Print Assumptions check_sound.
 Print Assumptions verdict_sound.
@@ -102,3 +102,8 @@ Print Assumptions tilings_refused.
 Print Assumptions tilings_accepted.
 Print Assumptions crossing_means.
 Print Assumptions triangle_crossings.
+Print Assumptions plane_verdict_sound.
+Print Assumptions plane_signed_verdict_sound.
+Print Assumptions plane_union_verdict_sound.
+Print Assumptions plane_depth.
+Print Assumptions plane_exits.

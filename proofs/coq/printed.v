@@ -58,6 +58,11 @@ Definition says_of (U G : set) (s : statement) :=
   end.
 Definition says (A B : list pt) (s : statement) :=
   let G := difference_of (conv B) (conv A) in says_of (interior G) G s.
+(* dimension=2: of bodies of the plane. Upright, without an end above or below, they have the ways
+   out that they have in the plane [plane_depth, plane_exits]; no z of a point counts *)
+Definition upright (S : set) (p : pt) := exists z, S (mk (px p) (py p) z).
+Definition says_plane (A B : list pt) (s : statement) :=
+  let G := upright (difference_of (conv B) (conv A)) in says_of (interior G) G s.
 (* with --width: it is said of A and A, and the depth is the width *)
 Definition says_width (S : set) := forall q, 0 <= q ->
   let G := difference_of S S in depth2 (interior G) G q -> width2 S q.
@@ -74,6 +79,14 @@ Definition says_union (As Bs : list (list pt)) (s : union_statement) :=
   solid_pieces As /\ solid_pieces Bs
   /\ Z.of_nat (length As) = pieces_a s /\ Z.of_nat (length Bs) = pieces_b s
   /\ says_of (overlap_at As Bs) (difference_of (union Bs) (union As)) (union_says s).
+(* dimension=2 [inside_upright] *)
+Definition solid_up Ls := Ls <> [] /\ forall L, In L Ls -> exists p, interior (upright (conv L)) p.
+Definition overlap_up As Bs t :=
+  exists p, interior (upright (union As)) (sub p t) /\ interior (upright (union Bs)) p.
+Definition says_plane_union (As Bs : list (list pt)) (s : union_statement) :=
+  solid_up As /\ solid_up Bs
+  /\ Z.of_nat (length As) = pieces_a s /\ Z.of_nat (length Bs) = pieces_b s
+  /\ says_of (overlap_up As Bs) (upright (difference_of (union Bs) (union As))) (union_says s).
 
 (* ==== 3. Round and curved bodies ==== *)
 (* A core with a radius: a hull of points; a Minkowski sum of hulls of atoms, each of them an affine
@@ -118,18 +131,22 @@ Inductive signed_statement := Root_between (s : status) (lo hi : ratio)
 Definition sign_is (s : status) (v : R) := match s with
   Penetrating => 0 < v | In_touch => v = 0 | Disjoint_bodies => v < 0 | Undecided => True end.
 Definition root_is (q : ratio) (x : R) := x * Rabs x = value q.
-Definition says_signed (A B : body pt R) (s : signed_statement) :=
-  let G := gaps A B in
-  let K := polar (core_gaps A B) in
+(* of cores with the differences C, of bodies with the differences G, of radii with the sum r *)
+Definition says_gaps (C G : set) (radii : R) (s : signed_statement) :=
   match s with
   | Root_between st lo hi =>
       exists v, signed_depth_is G v /\ value lo <= v <= value hi /\ sign_is st v
-  | Root_is st q rho optima cone => exists x r, root_is q x /\ signed_depth_is (core_gaps A B) x
-      /\ r = radius A + radius B /\ value rho = r /\ signed_depth_is G (x + r) /\ sign_is st (x + r)
+  | Root_is st q rho optima cone => exists x r, root_is q x /\ signed_depth_is C x
+      /\ r = radii /\ value rho = r /\ signed_depth_is G (x + r) /\ sign_is st (x + r)
       /\ (forall k, optima = Some k -> exits (interior G) ((x + r) * (x + r)) k)
-      /\ (forall k m, cone = Some (k, m) -> cone_is K k m
-            /\ (0 < r -> forall t, norm2 t = r * r -> (~ interior G t <-> K t)))
+      /\ (forall k m, cone = Some (k, m) -> cone_is (polar C) k m
+            /\ (0 < r -> forall t, norm2 t = r * r -> (~ interior G t <-> polar C t)))
   end.
+Definition says_signed (A B : body pt R) (s : signed_statement) :=
+  says_gaps (core_gaps A B) (gaps A B) (radius A + radius B) s.
+(* dimension=2 *)
+Definition says_plane_signed (A B : body pt R) (s : signed_statement) :=
+  says_gaps (upright (core_gaps A B)) (upright (gaps A B)) (radius A + radius B) s.
 
 (* ==== 4. Contact patches and rates ==== *)
 Definition cross (u v : pt) :=

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -165,6 +166,7 @@ struct Body {
 
   Core core = Core::points;
   std::size_t line = 0;                     ///< that announces the core
+  std::size_t levels = 1;                   ///< how often each list of points stands among the points
   Part<std::vector<RationalPoint>> points;  ///< of all pieces, one after another, if there are pieces
   std::vector<List> pieces;                 ///< of points, if there are pieces
   SolidParts solid;
@@ -257,10 +259,17 @@ struct PatchParts {
   [[nodiscard]] std::size_t begin_of(std::size_t k) const { return k == 0 ? 0 : corners.items[k - 1].end_b; }
 };
 
+/// Bodies of the plane stand for bodies of space.                                   [section 16]
+struct Raising {
+  Rational height;
+  std::size_t line;
+};
+
 struct Certificate {
   Arena integers;  ///< where all below lie
   int format = 1;
   std::string id;  ///< percent-escaped as written; empty if none
+  std::optional<Raising> raising;  ///< if the bodies are of the plane: as given below they are raised
   Body a, b;
   Claim claim = Claim::depth;
   std::size_t claim_line = 0;

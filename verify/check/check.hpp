@@ -37,6 +37,7 @@ struct Verdict {
   std::string pieces;     ///< of unions and of two solids: "2x5", of a and of b; of one solid: "5"
   std::string triangles;  ///< of the mesh of a solid: "12"; of two bodies "12x24", a union has "-"
   std::string patches;    ///< "4+1": how many corners the contact patch of each direction has; empty if none is claimed
+  bool plane = false;     ///< whether all this is of bodies of the plane
   std::size_t rates = 0;  ///< number of derivatives of the signed depth that are claimed
 
   // If not:

@@ -138,23 +138,35 @@ class Reader:
             atoms.append([tuple(numbers[k:k + 3]) for k in range(0, len(numbers), 3)])
         return atoms
 
+    def in_plane(self):
+        return self.height is not None
+
+    def points(self, x, levels=(-1, 1)):
+        """Those of the plane stand once at each level, in heights: section 16."""
+        found = self.part(x, [RATIONAL] * (2 if self.in_plane() else 3), rational)
+        return [(*p, level * self.height) for level in levels for p in found] if self.in_plane() else found
+
+    def half_space(self, word):
+        numbers = list(map(rational, self.these(word, *[RATIONAL] * (3 if self.in_plane() else 4))[1:]))
+        self.advance()
+        return [*numbers[:2], 0, numbers[2]] if self.in_plane() else numbers
+
     def body(self, c, x):
         word = self.fields()[0] if c["format"] in (2, 4) else x
-        if word == "shape_" + x and c["format"] == 2:
+        if word == "shape_" + x and c["format"] == 2 and not self.in_plane():
             c["terms_" + x] = [self.term() for _ in self.header(word)]
             self.advance()
         elif word == "halfspace_" + x:
-            c["halfspace_" + x] = list(map(rational, self.these(word, *[RATIONAL] * 4)[1:]))
-            self.advance()
+            c["halfspace_" + x] = self.half_space(word)
         else:
-            c[x] = self.part(x, [RATIONAL] * 3, rational)
+            c[x] = self.points(x, (0,) if x == "a" else (-1, 1))
         if c["format"] in (2, 4) and self.fields()[0] == "radius_" + x:
             c["radius_" + x] = rational(self.these("radius_" + x, RATIONAL)[1])
             self.advance()
 
     def claim(self, c, claims=None):
         word, claims = (self.fields() + [""])[1], claims or NUMBERS[c["format"]]
-        demand(word in claims, "expected a claim", Malformed)
+        demand(word in claims and not (self.in_plane() and word == "signed_bounds"), "expected a claim", Malformed)
         c["claim"], *bounds = self.these("claim", word, *[RATIONAL] * claims[word])[1:]
         c["bounds"] = [rational(q) for q in bounds]
         self.advance()
@@ -165,7 +177,7 @@ class Reader:
         self.advance()
         for _ in count:
             self.count_numbers(1)
-            found.append(self.part(x, [RATIONAL] * 3, rational))
+            found.append(self.points(x))
         return found
 
     def separations(self):
@@ -242,7 +254,7 @@ class Reader:
     def solids(self, c):
         """One solid, or two bodies."""
         for x in "ab":
-            if self.fields()[0] == "pieces_" + x:
+            if self.in_plane() or self.fields()[0] == "pieces_" + x:
                 c["body_" + x] = Body(self.pieces(x))
             else:
                 c["body_" + x] = Body(solid=self.solid(x))
@@ -255,11 +267,14 @@ class Reader:
         c["weights_b"] = self.part("weights_b", [NATURAL, RATIONAL], rational)
 
     def certificate(self, c):
-        self.bytes, self.numbers, self.counts = 0, 0, []
+        self.bytes, self.numbers, self.counts, self.height = 0, 0, [], None
         c["format"] = int(self.these("fathom-certificate", re.compile("[12345]"))[1])
         self.advance()
         if self.fields()[0] == "id":
             c["id"] = self.these("id", TEXT)[1]
+            self.advance()
+        if self.fields()[0] == "plane" and c["format"] != 4:
+            self.height = c["height"] = rational(self.these("plane", RATIONAL)[1])
             self.advance()
         {3: self.union, 5: self.solids}.get(c["format"], self.convex)(c)
         if c["format"] == 4:
@@ -691,6 +706,13 @@ def check_rate(c, patches, rate):
     demand(least == sign * root * c["unit"]**2, "another rate than claimed")
 
 
+def require_height(c):
+    """Section 16: no way out of the raised bodies that is not longer than the depth leaves the plane."""
+    left = c["height"] - c["radius_a"] - c["radius_b"]
+    demand(left > 0, "a height that is not above the radii")
+    demand(c["claim"] not in ("depth", "bounds") or c["bounds"][-1] < left**2, "a height that is not above the depth")
+
+
 def proved(c, rho):
     """For the verdict line."""
     claim, bounds = c["claim"], c["bounds"]
@@ -988,7 +1010,7 @@ def verdicts(file, name):
     reader.advance()
     while reader.line is not None or not any_yet:
         any_yet, first = True, reader.number
-        c = {"id": "", "radius_a": 0, "radius_b": 0, "cone": False}
+        c = {"id": "", "radius_a": 0, "radius_b": 0, "cone": False, "height": None}
         c.update((f"{part}_{x}", None) for part in ("terms", "halfspace", "body") for x in "ab")
         c.update((f"{part}{x}", []) for part in ("", "heights_", "inner_", "weights_") for x in "ab")
         c.update({"vertices": [], "facets": None, "lineality": [], "rays": [], "differences": [], "patches": [], "rates": []})
@@ -1000,7 +1022,9 @@ def verdicts(file, name):
                 require, judge = require_solid_limits, check_solid
             require(c)
             c["complete"] = True
-            yield 0, f"s VERIFIED {judge(c)} {c['id'] or name}"
+            if c["height"] is not None:
+                require_height(c)
+            yield 0, f"s VERIFIED {judge(c)}{'' if c['height'] is None else ' dimension=2'} {c['id'] or name}"
             reader.advance()
         except Refused as error:
             yield 1, f"s REFUSED {c['id'] or name}:{reader.number}: {error}{place(c, name)}"

@@ -35,6 +35,14 @@ void check_numbers(const Certificate& c) {
     throw refused(c.claim_line, "the lower bound is above the upper one");
 }
 
+/// No way out of the raised bodies that leaves the plane is as short as the depth.
+void check_height(const Certificate& c, const Raising& raising) {
+  const mpq_class left = value(raising.height) - radii(c);
+  if (left <= 0) throw refused(raising.line, "the height is not above the sum of the radii");
+  if ((c.claim == Claim::depth || c.claim == Claim::bounds) && value(c.high) >= left * left)
+    throw refused(raising.line, "the height is not above the depth");
+}
+
 void check_counts(const Certificate& c) {
   if (c.directions.items.empty()) throw refused(c.directions.line, "there is no direction");
   const bool one = c.claim != Claim::depth || has_half_space(c);
@@ -48,6 +56,7 @@ void check_counts(const Certificate& c) {
 void check_claim(const Certificate& c, Arithmetic arithmetic) {
   if (c.claim == Claim::solid) return check_solid(c.a);
   check_numbers(c);
+  if (c.raising) check_height(c, *c.raising);
   if (is_of_solids(c)) return check_two_bodies(c, of_cores(c, c.low));
   if (c.format != 3) check_counts(c);
   const Scaled bodies = scaled(c, arithmetic);

@@ -86,8 +86,10 @@ class Parser {
   std::uint32_t index_number(std::string_view token) const;
 
   void read_id(Certificate& result);
+  void read_plane(Certificate& result);
   void read_body(Body& body, const std::string& name, int format);
   void read_points(Body& body, const std::string& name);
+  void read_half_space(Body& body);
   void read_claim(Certificate& result);
   std::size_t header(const std::string& word, const char* number = "their number", std::size_t fields = 2);
   template <class Items, class Item>
@@ -122,6 +124,7 @@ class Parser {
   Lines* lines_;
   Limits limits_;
   Arena* integers_ = nullptr;            ///< of the certificate at hand
+  const Rational* height_ = nullptr;     ///< of bodies of the plane
   std::size_t bytes_ = 0, numbers_ = 0;  ///< of this certificate so far
   std::vector<std::size_t> counts_;      ///< that parts of this certificate announced
   std::vector<std::string_view> fields_;

@@ -44,6 +44,8 @@ void Parser::read(Certificate& result) {
   bytes_ += lines_->text().size();
   advance();
   if (at("id")) read_id(result);
+  height_ = nullptr;
+  if (at("plane") && result.format != 4) read_plane(result);
   switch (result.format) {
     case 3: read_unions(result); break;
     case 4: read_convex(result), read_patches(result.of_patches); break;
@@ -77,6 +79,17 @@ void Parser::read_id(Certificate& result) {
   advance();
 }
 
+void Parser::read_plane(Certificate& result) {
+  constexpr const char* expected = "'plane' and a height, a rational number";
+  require_line(expected);
+  demand(2, expected);
+  result.raising = {rational(fields_[1]), lines_->number()};
+  height_ = &result.raising->height;
+  result.a.levels = result.format < 3 ? 1 : 2;
+  result.b.levels = 2;
+  advance();
+}
+
 /// What the line at hand, which must announce this part, says of its number.
 std::size_t Parser::header(const std::string& word, const char* number, std::size_t fields) {
   const std::string expected = "'" + word + "' and " + number;
@@ -93,19 +106,13 @@ RationalPoint Parser::point(std::size_t first) const {
 
 void Parser::read_body(Body& body, const std::string& name, int format) {
   body.line = lines_->number();
-  if (format == 2 && at("shape_" + name)) {
+  if (format == 2 && height_ == nullptr && at("shape_" + name)) {
     body.core = Body::Core::shape;
     for (std::size_t left = header("shape_" + name, "the number of its terms"); left > 0; --left)
       body.terms.push_back(read_term());
     advance();
   } else if (is_of_bodies(format) && at("halfspace_" + name)) {
-    constexpr const char* expected = "a half-space: its normal and its offset, four rational numbers";
-    require_line(expected);
-    demand(5, expected);
-    body.core = Body::Core::half_space;
-    body.normal = point(1);
-    body.offset = rational(fields_[4]);
-    advance();
+    read_half_space(body);
   } else {
     read_points(body, name);
   }
@@ -118,9 +125,35 @@ void Parser::read_body(Body& body, const std::string& name, int format) {
   }
 }
 
+void Parser::read_half_space(Body& body) {
+  const bool plane = height_ != nullptr;
+  const char* const expected = plane ? "a half-plane: its normal and its offset, three rational numbers"
+                                     : "a half-space: its normal and its offset, four rational numbers";
+  require_line(expected);
+  demand(plane ? 4 : 5, expected);
+  body.core = Body::Core::half_space;
+  body.normal = plane ? RationalPoint{rational(fields_[1]), rational(fields_[2]), {}} : point(1);
+  body.offset = rational(fields_.back());
+  advance();
+}
+
 void Parser::read_points(Body& body, const std::string& name) {
-  read_rows(body.points, header(name, "the number of its points"), 3, "a point: three rational numbers",
-            [this](auto& points) { points.push_back(point(0)); });
+  const std::size_t count = header(name, "the number of its points"), first = body.points.items.size();
+  if (height_ == nullptr) {
+    return read_rows(body.points, count, 3, "a point: three rational numbers",
+                     [this](auto& points) { points.push_back(point(0)); });
+  }
+  Rational level;
+  if (body.levels > 1) level = {integers_->keep(-height_->num.value()), height_->den};
+  read_rows(body.points, count, 2, "a point of the plane: two rational numbers", [&](auto& points) {
+    points.push_back({rational(fields_[0]), rational(fields_[1]), level});
+  });
+  if (body.levels == 1) return;
+  auto& [points, lines, line] = body.points;
+  for (std::size_t k = first, end = points.size(); k < end; ++k) {
+    points.push_back({points[k].x, points[k].y, *height_});
+    lines.push_back(lines[k]);
+  }
 }
 
 /// On the line behind the one at hand; the last of its atoms is at hand afterwards.
@@ -148,7 +181,8 @@ void Parser::read_claim(Certificate& result) {
   const char* expected = "'claim depth Q', 'claim touching', 'claim apart Q' or 'claim signed_bounds LO HI'";
   if (result.format == 1) expected = "'claim depth Q', 'claim bounds LO HI', 'claim touching' or 'claim disjoint'";
   if (shapes) expected = "'claim signed_bounds LO HI'";
-  if (result.format > 2) expected = "'claim depth Q', 'claim touching' or 'claim apart Q'";
+  if (result.format > 2 || (result.format == 2 && height_ != nullptr))
+    expected = "'claim depth Q', 'claim touching' or 'claim apart Q'";
   if (result.claim == Claim::solid) expected = "'claim solid'";
   require_line(expected);
   result.claim_line = lines_->number();
@@ -156,7 +190,8 @@ void Parser::read_claim(Certificate& result) {
   const auto is = [&](std::string_view word, std::size_t numbers, bool there) {
     return there && fields_[1] == word && fields_.size() == 2 + numbers;
   };
-  const bool first = result.format == 1, second = result.format == 2, solid = result.claim == Claim::solid;
+  const bool first = result.format == 1, bounds = result.format == 2 && height_ == nullptr,
+             solid = result.claim == Claim::solid;
   if (is("solid", 0, solid)) {
     result.claim = Claim::solid;
   } else if (is("depth", 1, !shapes && !solid)) {
@@ -169,7 +204,7 @@ void Parser::read_claim(Certificate& result) {
     result.claim = Claim::disjoint;
   } else if (is("apart", 1, !first && !shapes && !solid)) {
     result.claim = Claim::apart;
-  } else if (is("signed_bounds", 2, second)) {
+  } else if (is("signed_bounds", 2, bounds)) {
     result.claim = Claim::signed_bounds;
   } else {
     throw wrong(expected);
@@ -288,7 +323,7 @@ void Parser::read_proof_of_unions(Certificate& result) {
 /// One solid, or two bodies that are solids or unions.
 void Parser::read_solids(Certificate& result) {
   for (const auto& [name, body] : {std::pair{"a", &result.a}, std::pair{"b", &result.b}}) {
-    if (at(std::string("pieces_") + name)) read_pieces(*body, name);
+    if (height_ != nullptr || at(std::string("pieces_") + name)) read_pieces(*body, name);
     else read_solid(*body, name);
     const bool is_all = body == &result.a && body->core == Body::Core::solid && at("claim");
     if (!is_all) continue;

@@ -61,6 +61,7 @@ Verdict verified(const Certificate& c) {
   if (c.has_cone) verdict.cone = std::to_string(c.lineality.items.size()) + "+" + std::to_string(c.rays.items.size());
   verdict.patches = corners_of_patches(c.of_patches.corner_lists);
   verdict.rates = c.of_patches.rates.items.size();
+  verdict.plane = c.raising.has_value();
   if (c.all) verdict.optima = c.directions.items.size();
   verdict.outcome = Outcome::verified;
   return verdict;
@@ -183,6 +184,7 @@ std::string verdict_line(const Verdict& v, std::string_view name) {
   if (!solid) line += triangles;
   if (!v.patches.empty()) line += " patches=" + v.patches;
   if (v.rates > 0) line += " rates=" + std::to_string(v.rates);
+  if (v.plane) line += " dimension=2";
   return line + " " + label;
 }
 

@@ -28,11 +28,16 @@ namespace fathom_check {
 
 namespace {
 
-std::string text(const RationalPoint& p) { return " " + text(p.x) + " " + text(p.y) + " " + text(p.z); }
+std::string text(const RationalPoint& p, bool plane = false) {
+  return " " + text(p.x) + " " + text(p.y) + (plane ? "" : " " + text(p.z));
+}
 
-void points(std::ostream& out, const char* name, const Body& body, std::size_t first, std::size_t last) {
+/// As they stand in the certificate: of the plane once, with two coordinates.
+void points(std::ostream& out, const char* name, const Body& body, std::size_t first, std::size_t last, bool plane) {
+  if (plane) last = first + (last - first) / body.levels;
   out << "c " << name << ' ' << last - first << '\n';
-  for (std::size_t k = first; k < last; ++k) out << 'c' << text(body.points.items[k]) << '\n';
+  for (std::size_t k = first; k < last; ++k)
+    out << 'c' << text(body.points.items[k], plane) << '\n';
 }
 
 void shape(std::ostream& out, const char* name, const Body& body) {
@@ -47,23 +52,23 @@ void shape(std::ostream& out, const char* name, const Body& body) {
   }
 }
 
-void core(std::ostream& out, const char* name, const Body& body) {
+void core(std::ostream& out, const char* name, const Body& body, bool plane) {
   switch (body.core) {
-    case Body::Core::points: return points(out, name, body, 0, body.points.items.size());
+    case Body::Core::points: return points(out, name, body, 0, body.points.items.size(), plane);
     case Body::Core::shape: return shape(out, name, body);
     case Body::Core::half_space:
-      out << "c halfspace_" << name << text(body.normal) << ' ' << text(body.offset) << '\n';
+      out << "c halfspace_" << name << text(body.normal, plane) << ' ' << text(body.offset) << '\n';
       return;
     case Body::Core::none: return;
     case Body::Core::solid:
-      points(out, (std::string("solid_") + name).c_str(), body, 0, body.points.items.size());
+      points(out, (std::string("solid_") + name).c_str(), body, 0, body.points.items.size(), false);
       out << "c mesh " << body.solid.mesh.items.size() << '\n';
       for (const auto& [i, j, k] : body.solid.mesh.items) out << "c " << i << ' ' << j << ' ' << k << '\n';
       return;
     case Body::Core::pieces:
       out << "c pieces_" << name << ' ' << body.pieces.size() << '\n';
       for (std::size_t k = 0; k < body.pieces.size(); ++k)
-        points(out, name, body, begin_of(body.pieces, k), body.pieces[k].end);
+        points(out, name, body, begin_of(body.pieces, k), body.pieces[k].end, plane);
       return;
   }
 }
@@ -105,8 +110,9 @@ void patches(std::ostream& out, const Certificate& c) {
 std::string echo(const Certificate& c) {
   std::ostringstream out;
   if (!c.id.empty()) out << "c id " << c.id << '\n';
+  if (c.raising) out << "c plane " << text(c.raising->height) << '\n';
   for (const auto& [name, body] : {std::pair{"a", &c.a}, std::pair{"b", &c.b}}) {
-    core(out, name, *body);
+    core(out, name, *body, c.raising.has_value());
     if (body->radius.num.sign() != 0) out << "c radius_" << name << ' ' << text(body->radius) << '\n';
   }
   out << "c claim ";

@@ -10,7 +10,11 @@ type claim =
   | Touching
   | Disjoint
 
+(* bodies of the plane: how high they are to be raised *)
+type plane = { height : Q.t; height_line : int }
+
 type t = {
+  plane : plane option;
   a : Proved.point part;
   b : Proved.point part;
   claim : claim;
@@ -63,6 +67,24 @@ let point f =
   let qx = rational f in blank f;
   let qy = rational f in blank f;
   { Proved.qx = ratio qx; qy = ratio qy; qz = ratio (rational f) }
+
+let plane_point f =
+  spend f 2;
+  let qx = rational f in blank f;
+  { Proved.qx = ratio qx; qy = ratio (rational f); qz = ratio Q.zero }
+
+(* a line of a body, and what is expected there *)
+let points_of = function
+  | None -> ("three rationals: a point", point)
+  | Some _ -> ("two rationals: a point of the plane", plane_point)
+
+(* as the proved function raises them too *)
+let prism plane part =
+  match plane with
+  | None -> part
+  | Some { height; _ } ->
+    let at z = Array.map (fun p -> { p with Proved.qz = ratio z }) part.items in
+    { part with items = Array.append (at (Q.neg height)) (at height); lines_of = Array.append part.lines_of part.lines_of }
 
 let direction f =
   spend f 3;
@@ -154,17 +176,29 @@ let format_of r =
   format
 
 (* name: where the certificate's own is put, as soon as it is known *)
+let at r word = match r.text with Whole s -> s = word || has_prefix (word ^ " ") s | _ -> false
 let name_of r name =
-  match r.text with
-  | Whole s when s = "id" || has_prefix "id " s -> name := id_of (fields r "id and a text: codes 33 to 126 but %, or % and two hexadecimal digits"); advance r
-  | _ -> ()
+  if at r "id" then begin
+    name := id_of (fields r "id and a text: codes 33 to 126 but %, or % and two hexadecimal digits");
+    advance r
+  end
+let plane_of r =
+  if at r "plane" then begin
+    let height_line = r.number in
+    let height = words_of r "plane and a rational: a height" "plane " rational in
+    advance r;
+    Some { height; height_line }
+  end
+  else None
 
 (* of format 1, behind its first line *)
 let certificate r name =
   advance r;
   name_of r name;
-  let a = counted r "a" "three rationals: a point" point in
-  let b = part r "b" "three rationals: a point" point in
+  let plane = plane_of r in
+  let expected, point = points_of plane in
+  let a = counted r "a" expected point in
+  let b = part r "b" expected point in
   advance r;
   let claim = claim_of r in
   let claim_line = r.number in
@@ -183,4 +217,6 @@ let certificate r name =
     | _ -> (nothing r.number, nothing r.number) in
   let size p = Array.length p.items in
   footer r [ size a; size b; size directions; size vertices + size weights_a; size facets + size weights_b ];
-  { a; b; claim; claim_line; end_line = r.number; all; directions; vertices; facets; weights_a; weights_b }
+  { plane; a; b; claim; claim_line; end_line = r.number; all; directions; vertices; facets; weights_a; weights_b }
+
+let raised g = { g with b = prism g.plane g.b }

@@ -61,27 +61,44 @@ let malformed name line reason = verdict 2 (Printf.sprintf "s MALFORMED %s:%d: %
 
 let too_large = "expected a certificate of a size that this machine can hold"
 
-let judge ~width name (g : Grammar.t) =
+(* the words of bodies of the plane *)
+let stated in_words plane s = in_words s ^ if plane = None then "" else " dimension=2"
+
+let judge ~width name (given : Grammar.t) =
+  let g = Grammar.raised given in
   let denominators = Limits.within g in
-  match Prepare.claim g denominators with
+  let highest = match g.claim with Depth q -> q | Bounds (_, hi) -> hi | Touching | Disjoint -> Q.zero in
+  match Prepare.demand_height ~width g.plane Q.zero highest; Prepare.claim g denominators with
   | exception Prepare.Refused (line, reason) -> refused name line reason
   | claim ->
     let m = denominators.of_points in
     let a = Array.to_list g.a.items and b = Array.to_list g.b.items in
-    match Proved.verdict width m a b claim with
-    | Some statement -> verdict 0 (Printf.sprintf "s VERIFIED %s %s" (words statement) name)
+    let found =
+      match g.plane with
+      | None -> Proved.verdict width m a b claim
+      | Some { height; _ } -> Proved.plane_verdict m (Grammar.ratio height) a (Array.to_list given.b.items) claim in
+    match found with
+    | Some statement -> verdict 0 (Printf.sprintf "s VERIFIED %s %s" (stated words g.plane statement) name)
     | None ->
       let line, reason = Reasons.reason ~width g (Proved.with_integers m a b claim) in
       refused name line reason
 
-let judge_signed ~width name (g : Signed_grammar.t) =
+let judge_signed ~width name (given : Signed_grammar.t) =
+  let g = Signed_grammar.raised given in
   let denominators = Signed_limits.within g in
-  match Signed_prepare.claim g denominators with
+  let highest = match g.claim with Depth q -> q | _ -> Q.zero in
+  match Prepare.demand_height ~width g.plane (Signed_prepare.rho g) highest; Signed_prepare.claim g denominators with
   | exception Prepare.Refused (line, reason) -> refused name line reason
   | claim ->
     let m = denominators.of_lengths in
-    match Proved.signed_verdict width m (Grammar.ratio (Signed_prepare.rho g)) (Signed_grammar.proved_body g.a) (Signed_grammar.proved_body g.b) claim with
-    | Some statement -> verdict 0 (Printf.sprintf "s VERIFIED %s %s" (signed_words statement) name)
+    let rho = Grammar.ratio (Signed_prepare.rho g) in
+    let a = Signed_grammar.proved_body given.a and b = Signed_grammar.proved_body given.b in
+    let found =
+      match g.plane with
+      | None -> Proved.signed_verdict width m rho a b claim
+      | Some { height; _ } -> Proved.plane_signed_verdict m rho (Grammar.ratio height) a b claim in
+    match found with
+    | Some statement -> verdict 0 (Printf.sprintf "s VERIFIED %s %s" (stated signed_words g.plane statement) name)
     | None ->
       let line, reason = Signed_prepare.reason ~width g m claim in
       refused name line reason
@@ -102,14 +119,25 @@ let judge_patched ~width name (g : Patch_grammar.t) =
       refused name line reason
 
 (* the depth of a union in itself is no width *)
-let judge_union ~width name (g : Union_grammar.t) =
+let judge_union ~width name (given : Union_grammar.t) =
+  let g = Union_grammar.raised given in
   let denominators = Union_limits.within g in
-  match if width then raise (Prepare.Refused (g.line_a, "a union, which has no width")) else Union_prepare.claim g denominators with
+  let highest = match g.claim with Depth (q, _, _, _) -> q | _ -> Q.zero in
+  let claim () =
+    Prepare.demand g.line_a (not width) "a union, which has no width";
+    Prepare.demand_height ~width g.plane Q.zero highest;
+    Union_prepare.claim g denominators in
+  match claim () with
   | exception Prepare.Refused (line, reason) -> refused name line reason
   | claim ->
     let m = denominators.of_points in
-    match Proved.union_verdict m (Union_prepare.pieces g.pieces_a) (Union_prepare.pieces g.pieces_b) claim with
-    | Some statement -> verdict 0 (Printf.sprintf "s VERIFIED %s %s" (union_words statement) name)
+    let a = Union_prepare.pieces given.pieces_a and b = Union_prepare.pieces given.pieces_b in
+    let found =
+      match g.plane with
+      | None -> Proved.union_verdict m a b claim
+      | Some { height; _ } -> Proved.plane_union_verdict m (Grammar.ratio height) a b claim in
+    match found with
+    | Some statement -> verdict 0 (Printf.sprintf "s VERIFIED %s %s" (stated union_words g.plane statement) name)
     | None ->
       let line, reason = Union_prepare.reason g m claim in
       refused name line reason

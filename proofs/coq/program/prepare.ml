@@ -10,6 +10,16 @@ let demand line good reason = if not good then raise (Refused (line, reason))
 let weights unit part =
   Array.to_list (Array.map (fun (i, w) -> (i, Z.mul (Q.num w) (Z.divexact unit (Q.den w)))) part.items)
 
+(* what the proved function demands of a height, beside the width, which is not proved of the plane *)
+let demand_height ~width plane rho highest =
+  Option.iter
+    (fun { height; height_line } ->
+       demand height_line (not width) "bodies of the plane, whose width is not proved here";
+       let left = Q.sub height rho in
+       demand height_line (Q.sign left > 0) "the height is not above the sum of the radii";
+       demand height_line (Q.lt highest (Q.mul left left)) "the height is not above the depth")
+    plane
+
 (* ---- directions ---- *)
 (* g = a s + b t is the greatest common divisor *)
 let bezout a b =

@@ -21,6 +21,7 @@ type cone = { lineality : (Z.t * Z.t * Z.t) part; rays : (Z.t * Z.t * Z.t) part;
 type lower = Facets of (Z.t * Z.t) part * Z.t array part | Weights of (Z.t * Q.t) part * (Z.t * Q.t) part | None_needed
 
 type t = {
+  plane : plane option;
   a : body;
   b : body;
   claim : claim;
@@ -36,10 +37,11 @@ let origin = let zero = ratio Q.zero in { Proved.qx = zero; qy = zero; qz = zero
 let starts r word = match r.text with Whole s -> has_prefix word s | _ -> false
 
 (* a half-space's numbers are not counted *)
-let uncounted_point f =
+let uncounted_point plane f =
   let qx = rational f in blank f;
-  let qy = rational f in blank f;
-  { Proved.qx = ratio qx; qy = ratio qy; qz = ratio (rational f) }
+  let qy = rational f in
+  let qz = if plane = None then (blank f; rational f) else Q.zero in
+  { Proved.qx = ratio qx; qy = ratio qy; qz = ratio qz }
 
 let atom vectors f =
   let rest = String.sub f.s f.at (String.length f.s - f.at) in
@@ -61,7 +63,7 @@ let atom vectors f =
   end
 
 (* the core at hand; counts collects what is announced by a word, the last one first *)
-let core ~shapes r counts vectors name =
+let core ~shapes plane r counts vectors name =
   let announce part = counts := Array.length part.items :: !counts; Array.to_list part.items in
   if shapes && starts r "shape_" then begin
     let f = fields r ("shape_" ^ name ^ " and a count") in
@@ -84,25 +86,26 @@ let core ~shapes r counts vectors name =
     Proved.Terms (List.rev !terms)
   end
   else if starts r "halfspace_" then begin
-    let f = fields r ("halfspace_" ^ name ^ " and four rationals") in
+    let f = fields r ("halfspace_" ^ name ^ if plane = None then " and four rationals" else " and three rationals") in
     literal f ("halfspace_" ^ name ^ " ");
-    let normal = uncounted_point f in
+    let normal = uncounted_point plane f in
     blank f;
     let offset = rational f in
     finish f;
     Proved.Half_space (normal, ratio offset)
   end
   else begin
-    let points = announce (counted r name "three rationals: a point" point) in
+    let expected, point = points_of plane in
+    let points = announce (counted r name expected point) in
     vectors := List.length points;
     Proved.Points points
   end
 
 (* the core and its radius; leaves the line behind them at hand *)
-let body ~shapes r counts name =
+let body ~shapes plane r counts name =
   let core_line = r.number in
   let vectors = ref 0 in
-  let core = core ~shapes r counts vectors name in
+  let core = core ~shapes plane r counts vectors name in
   advance r;
   let radius =
     if starts r "radius_" then begin
@@ -154,12 +157,13 @@ let inner_point terms f =
 let all_but_footer ~patched r name =
   advance r;
   name_of r name;
+  let plane = if patched then None else plane_of r in
   let counts = ref [] in
   let announced part = counts := Array.length part.items :: !counts; part in
-  let body = body ~shapes:(not patched) r counts in
+  let body = body ~shapes:(not patched && plane = None) plane r counts in
   let a = body "a" in
   let b = body "b" in
-  let claim = claim_of ~bounds:(not patched) r (is_shape a || is_shape b) in
+  let claim = claim_of ~bounds:(not patched && plane = None) r (is_shape a || is_shape b) in
   let claim_line = r.number in
   let all, directions = directions_of r in
   ignore (announced directions);
@@ -195,7 +199,7 @@ let all_but_footer ~patched r name =
       Some { lineality; rays; differences }
     end
     else None in
-  ( { a = { a with heights = heights_a; inner = inner_a }; b = { b with heights = heights_b; inner = inner_b };
+  ( { plane; a = { a with heights = heights_a; inner = inner_a }; b = { b with heights = heights_b; inner = inner_b };
       claim; claim_line; end_line = r.number; all; directions; lower; cone },
     !counts )
 
@@ -205,3 +209,11 @@ let certificate r name =
   let g, counts = all_but_footer ~patched:false r name in
   footer_behind r counts;
   g
+
+let raised g =
+  match g.plane, g.b.core with
+  | Some _, Proved.Points points ->
+    let items = Array.of_list points in
+    let { items; _ } = prism g.plane { (nothing g.b.core_line) with items } in
+    { g with b = { g.b with core = Proved.Points (Array.to_list items); vectors = Array.length items } }
+  | _ -> g

@@ -30,6 +30,7 @@ let only_one r word =
 let certificate r name =
   advance r;
   name_of r name;
+  only_one r "plane ";
   only_one r "pieces_a ";
   let points = counted r "solid_a" "three rationals: a point" point in
   let mesh = part r "mesh" "three numbers: a triangle" triangle in

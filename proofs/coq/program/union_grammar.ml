@@ -15,6 +15,7 @@ type claim =
   | Apart of Q.t * proof
 
 type t = {
+  plane : plane option;
   line_a : int;
   pieces_a : Proved.point part array;
   line_b : int;
@@ -44,6 +45,8 @@ let certificate r name =
   advance r;
   name_of r name;
   (* what was announced, the last one first: 0 until all of it is there *)
+  let plane = plane_of r in
+  let expected, of_a_body = points_of plane in
   let counts = ref [] in
   let announce n = counts := n :: !counts in
   let listed word expected item =
@@ -66,7 +69,7 @@ let certificate r name =
     Array.of_list (List.rev !found) in
   let pieces x =
     let line = r.number in
-    (line, several ("pieces_" ^ x) (fun () -> spend (fields r (x ^ " and a count")) 1; listed x "three rationals: a point" point)) in
+    (line, several ("pieces_" ^ x) (fun () -> spend (fields r (x ^ " and a count")) 1; listed x expected of_a_body)) in
   let line_a, pieces_a = pieces "a" in
   let line_b, pieces_b = pieces "b" in
   let claim_line = r.number in
@@ -104,4 +107,6 @@ let certificate r name =
     | None -> Touching (proof ())
     | Some (false, q) -> Apart (q, proof ()) in
   footer_at r "end and all counts again" (List.rev !counts);
-  { line_a; pieces_a; line_b; pieces_b; claim; claim_line; end_line = r.number }
+  { plane; line_a; pieces_a; line_b; pieces_b; claim; claim_line; end_line = r.number }
+
+let raised g = { g with pieces_a = Array.map (prism g.plane) g.pieces_a; pieces_b = Array.map (prism g.plane) g.pieces_b }
