@@ -176,23 +176,32 @@ void write_claim(Text& text, const Certificate& c) {
   }
 }
 
-void write_body(Text& text, const Body& body, const char* name) {
-  const auto point = [&](const RationalPoint& p) { text.line(p); };
+/// Writes the body, of the plane if `plane`, as it stands in the certificate.
+void write_body(Text& text, const Body& body, const char* name, bool plane) {
+  const auto point = [&](const RationalPoint& p) {
+    if (plane) text.line(p.x, p.y);
+    else text.line(p);
+  };
   const auto atom = [&](const fathom_check::Atom& a) {
     if (a.size() == 1) text.line("point", a[0]);
     if (a.size() == 3) text.line("disc", a[0], a[1], a[2]);
     if (a.size() == 4) text.line("ball", a[0], a[1], a[2], a[3]);
   };
   switch (body.core) {
-    case Body::Core::points: text.part(name, body.points.items, point); break;
+    case Body::Core::points:
+      text.range(name, body.points.items, 0, body.points.items.size() / body.levels, point);
+      break;
     case Body::Core::shape:
       text.part(std::string("shape_") + name, body.terms, [&](const auto& term) { text.part("term", term, atom); });
       break;
-    case Body::Core::half_space: text.line(std::string("halfspace_") + name, body.normal, body.offset); break;
+    case Body::Core::half_space:
+      if (plane) text.line(std::string("halfspace_") + name, body.normal.x, body.normal.y, body.offset);
+      else text.line(std::string("halfspace_") + name, body.normal, body.offset);
+      break;
     case Body::Core::pieces: {
       std::size_t first = 0;
       text.part(std::string("pieces_") + name, body.pieces, [&](const fathom_check::List& piece) {
-        text.range(name, body.points.items, first, piece.end, point);
+        text.range(name, body.points.items, first, first + (piece.end - first) / body.levels, point);
         first = piece.end;
       });
       break;
@@ -285,8 +294,9 @@ std::string text_of(const Certificate& c) {
   const auto vector = [&](const fathom_check::Vector& n) { text.line(n.x, n.y, n.z); };
   const auto pair = [&](const fathom_check::Pair& v) { text.line(std::size_t{v.j}, std::size_t{v.i}); };
   const auto weight = [&](const fathom_check::Weight& w) { text.line(std::size_t{w.index}, w.weight); };
-  write_body(text, c.a, "a");
-  write_body(text, c.b, "b");
+  if (c.raising) text.line("plane", c.raising->height);
+  write_body(text, c.a, "a", c.raising.has_value());
+  write_body(text, c.b, "b", c.raising.has_value());
   write_claim(text, c);
   if (c.format == 3) write_proof_of_unions(text, c);
   // For two bodies the proof is left out: the proved checker, which cannot read it, stops before.

@@ -188,6 +188,15 @@ Prisms prisms_of(const Body& a, const Body& b) {
   return {a.pieces || b.pieces ? raised(a, height) : flat_in_space(a), std::move(raised_b), std::move(height)};
 }
 
+// Prisms that are made higher have the same ways out, and the same proof: all else moves away from O.
+mpq_class proving_height(const Prisms& prisms, const Answer& of_prisms) {
+  mpq_class height = prisms.height > 0 ? prisms.height : mpq_class(1);
+  const auto* const depth = std::get_if<SignedDepth>(&of_prisms.found);
+  if (depth == nullptr) return height;
+  while (height <= depth->radius_a + depth->radius_b || compare(*depth->exact(), height) >= 0) height *= 2;
+  return height;
+}
+
 Answer in_plane(const Body& a, const Body& b, Answer of_prisms) {
   auto prisms = std::make_shared<const Answer>(std::move(of_prisms));
   return std::visit([&](const auto& found) { return Answer{mapped(a, b, found), std::move(prisms)}; }, prisms->found);

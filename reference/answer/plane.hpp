@@ -27,6 +27,10 @@ mpq_class height_above(const Body& a, const Body& b);
 /// Throws std::invalid_argument unless both are of the plane.
 Prisms prisms_of(const Body& a, const Body& b);
 
+/// A height of which certificates prove that nothing is gained by leaving the plane: above the
+/// signed depth, and the radii.
+mpq_class proving_height(const Prisms& prisms, const Answer& of_prisms);
+
 /// What the answer about the prisms says of the bodies.
 Answer in_plane(const Body& a, const Body& b, Answer of_prisms);
 

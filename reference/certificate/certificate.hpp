@@ -170,6 +170,10 @@ void write_end(Writer& out, std::span<const std::size_t> counts);
 std::vector<std::uint32_t> write_solid(Writer& out, std::string_view name, const Solid& solid,
                                        std::vector<std::size_t>& counts);
 
+/// The certificate of bodies of the plane, of that of the bodies that stand for them
+/// (reference/answer/plane.hpp): `raised` if there are prisms among these.
+std::string in_plane(std::string_view text, const mpq_class& height, bool raised);
+
 /// The certificate of an answer about two unions, of which either may be a polytope, or a solid:
 /// then it is about the mesh. Throws as certificate_text does.
 std::string union_text(const Body& a, const Body& b, const UnionDepth& answer, std::string_view id, Monitor* monitor);

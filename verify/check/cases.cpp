@@ -22,6 +22,7 @@ class CaseReader {
     if (schema && (schema->kind != Kind::text || schema->text != "fathom/case/1"))
       throw wrong("the schema fathom/case/1 or fathom/golden-export/1");
     rounded_ = is_rounded(value);
+    dimension_ = dimension();
   }
 
   [[nodiscard]] std::string id() const {
@@ -30,6 +31,8 @@ class CaseReader {
     if (id->kind != Kind::text && id->kind != Kind::number) throw wrong("an id that is a text or a number");
     return id->text;
   }
+
+  [[nodiscard]] bool is_of_plane() const { return dimension_ == 2; }
 
   [[nodiscard]] OwnBody body(const char* name) const {
     const Json* const body = case_->field(name, line_);
@@ -51,6 +54,10 @@ class CaseReader {
       throw wrong("an array 'pieces' of bodies in " + shown(name));
     if (body->field("vertices", line_)) throw wrong("no 'vertices' beside the 'pieces' of " + shown(name));
     for (const Json& piece : pieces->items) {
+      if (is_of_plane() && piece.kind == Kind::array) {
+        result.pieces.push_back(points(piece, name, {placing, std::nullopt}, rounding));
+        continue;
+      }
       if (piece.kind != Kind::object || piece.field("pose_rounding", line_))
         throw wrong("pieces with 'vertices' in " + shown(name));
       budget_->store(sizeof(result.pieces.front()), line_);
@@ -76,7 +83,8 @@ class CaseReader {
     if (rows.kind != Kind::array) throw wrong("an array of points in " + shown(name));
     std::vector<ExactPoint> points;
     for (const Json& vertex : rows.items) {
-      std::vector<mpq_class> row = numbers(vertex, 3);
+      std::vector<mpq_class> row = numbers(vertex, dimension_);
+      row.resize(3);
       ExactPoint point{row[0], row[1], row[2]};
       for (const std::optional<Pose>& pose : poses)
         if (pose) point = placed(point, *pose);
@@ -88,6 +96,13 @@ class CaseReader {
       points.push_back(std::move(point));
     }
     return points;
+  }
+
+  [[nodiscard]] std::size_t dimension() const {
+    const Json* const field = case_->field("dimension", line_);
+    if (!field || field->kind == Kind::null) return 3;
+    if (field->kind != Kind::number || (field->text != "2" && field->text != "3")) throw wrong("the dimension 2 or 3");
+    return field->text == "2" ? 2 : 3;
   }
 
   [[nodiscard]] bool is_rounded(const Json& object) const {
@@ -116,11 +131,13 @@ class CaseReader {
   [[nodiscard]] std::optional<Pose> pose(const Json& body) const {
     const Json* const rows = body.field("pose", line_);
     if (!rows || rows->kind == Kind::null) return std::nullopt;
-    if (rows->kind != Kind::array || rows->items.size() != 3) throw wrong("a pose of three rows");
+    if (rows->kind != Kind::array || rows->items.size() != dimension_)
+      throw wrong(is_of_plane() ? "a pose of two rows" : "a pose of three rows");
     Pose result;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::vector<mpq_class> row = numbers(rows->items[i], 4);
-      for (std::size_t k = 0; k < 4; ++k) result[i][k] = row[k];
+    for (std::size_t i = 0; i < dimension_; ++i) {
+      const std::vector<mpq_class> row = numbers(rows->items[i], dimension_ + 1);
+      for (std::size_t k = 0; k < dimension_; ++k) result[i][k] = row[k];
+      result[i][3] = row[dimension_];
     }
     return result;
   }
@@ -137,6 +154,7 @@ class CaseReader {
   Budget* budget_;
   bool of_export_;
   bool rounded_ = false;
+  std::size_t dimension_ = 3;
 };
 
 bool same(const RationalPoint& p, const RationalPoint& q) { return same(p.x, q.x) && same(p.y, q.y) && same(p.z, q.z); }
@@ -149,12 +167,13 @@ bool equal(const Rational& r, const mpq_class& q) {
   return mpz_cmp(r.num.get_mpz_t(), q.get_num_mpz_t()) == 0 && mpz_cmp(r.den.get_mpz_t(), q.get_den_mpz_t()) == 0;
 }
 
-/// The points of the certificate from number `first` on are these.
+/// The points of the certificate from number `first` on are these; of the plane, as they were
+/// before they were raised.
 void compare_points(const Part<std::vector<RationalPoint>>& part, std::size_t first, const std::vector<ExactPoint>& own,
-                    const std::string& name) {
+                    const std::string& name, bool plane) {
   for (std::size_t k = 0; k < own.size(); ++k) {
     const RationalPoint& p = part.items[first + k];
-    if (!equal(p.x, own[k][0]) || !equal(p.y, own[k][1]) || !equal(p.z, own[k][2]))
+    if (!equal(p.x, own[k][0]) || !equal(p.y, own[k][1]) || (!plane && !equal(p.z, own[k][2])))
       throw refused(part.lines[first + k], "point " + std::to_string(k) + " of " + name + " is not that of the case");
   }
 }
@@ -165,14 +184,14 @@ void compare_count(std::size_t line, std::size_t own, const std::string& what, s
                 "the case has " + std::to_string(own) + " " + what + ", the certificate " + std::to_string(found));
 }
 
-void compare_body(const Body& body, const OwnBody& own, const std::string& name) {
+void compare_body(const Body& body, const OwnBody& own, const std::string& name, bool plane) {
   if (body.core == Body::Core::pieces) {
     compare_count(body.line, own.pieces.size(), "pieces in " + name, body.pieces.size());
     for (std::size_t i = 0; i < own.pieces.size(); ++i) {
       const std::string piece = "piece " + std::to_string(i) + " of " + name;
       compare_count(body.pieces[i].line, own.pieces[i].size(), "points in " + piece,
-                    body.pieces[i].end - begin_of(body.pieces, i));
-      compare_points(body.points, begin_of(body.pieces, i), own.pieces[i], piece);
+                    (body.pieces[i].end - begin_of(body.pieces, i)) / body.levels);
+      compare_points(body.points, begin_of(body.pieces, i), own.pieces[i], piece, plane);
     }
     return;
   }
@@ -182,8 +201,9 @@ void compare_body(const Body& body, const OwnBody& own, const std::string& name)
     throw refused(body.line, "the case has points in " + name + ": only points can be compared with it");
   if (body.radius.num.sign() != 0)
     throw refused(body.line, "the case has no radius around " + name + ", the certificate has one");
-  compare_count(body.points.line, own.pieces.front().size(), "points in " + name, body.points.items.size());
-  compare_points(body.points, 0, own.pieces.front(), name);
+  compare_count(body.points.line, own.pieces.front().size(), "points in " + name,
+                body.points.items.size() / body.levels);
+  compare_points(body.points, 0, own.pieces.front(), name, plane);
 }
 
 }  // namespace
@@ -210,7 +230,7 @@ void CaseFile::read(const Json& value, std::size_t line) {
 void CaseFile::read_one(const Json& value, std::size_t line, bool of_export) {
   const CaseReader reader(value, line, budget_, of_export);
   by_id_[reader.id()].push_back(cases_.size());
-  cases_.push_back({reader.body("a"), reader.body("b")});
+  cases_.push_back({reader.body("a"), reader.body("b"), reader.is_of_plane()});
 }
 
 const CaseFile::Bodies& CaseFile::find(const Certificate& certificate,
@@ -228,12 +248,16 @@ void CaseFile::compare(const Certificate& certificate, bool width, const std::op
   for (const Body* const body : {&certificate.a, &certificate.b})
     if (body->core == Body::Core::solid) throw refused(body->line, "a solid is not what a case holds");
   const Bodies& own = find(certificate, result_id);
-  compare_body(certificate.a, own.a, "a");
-  if (!width) compare_body(certificate.b, own.b, "b");
+  if (own.plane != certificate.raising.has_value())
+    throw refused(certificate.a.line, own.plane ? "the case is of the plane, the certificate of space"
+                                                : "the case is of space, the certificate of the plane");
+  compare_body(certificate.a, own.a, "a", own.plane);
+  if (!width) compare_body(certificate.b, own.b, "b", own.plane);
 }
 
 void require_width(const Certificate& certificate) {
   const Body &a = certificate.a, &b = certificate.b;
+  if (certificate.raising) throw refused(certificate.raising->line, "bodies of the plane have no width here");
   if (a.core == Body::Core::solid) throw refused(a.line, "solids have no width here: it is that of a convex body");
   if (a.core == Body::Core::pieces) throw refused(a.line, "unions have no width here: it is that of a convex body");
   const bool equal =

@@ -7,6 +7,8 @@
 // "pose" (3 rows of 4 numbers, M | t) places each vertex p at M p + t, exactly; "pose_rounding":
 // "binary64", in the case or a body, then rounds it once. A body has "vertices", or "pieces" that
 // have some, each with a pose of its own if it likes, which places it before the body's does.
+// "dimension": 2 makes it a case of the plane: points have two coordinates, a pose two rows of
+// three numbers, and a piece may be an array of points.
 #pragma once
 
 #include <gmpxx.h>
@@ -33,7 +35,7 @@ struct OwnBody {
 };
 
 /// Returns if the points of b are those of a again, so that the depth is the width of a; throws
-/// Fault (refused) otherwise, and for unions.
+/// Fault (refused) otherwise, and for unions and bodies of the plane.
 void require_width(const Certificate& certificate);
 
 class CaseFile {
@@ -53,6 +55,7 @@ class CaseFile {
  private:
   struct Bodies {
     OwnBody a, b;
+    bool plane;
   };
   void read(const Json& value, std::size_t line);
   void read_one(const Json& value, std::size_t line, bool of_export);
