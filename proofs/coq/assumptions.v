@@ -107,3 +107,4 @@ Print Assumptions plane_signed_verdict_sound.
 Print Assumptions plane_union_verdict_sound.
 Print Assumptions plane_depth.
 Print Assumptions plane_exits.
+Print Assumptions inside_upright.

@@ -84,6 +84,9 @@ mutant 's/Some column -> Array\.to_list column/Some column -> Array.to_list (Arr
 mutant 's/if r > 4 then \[\]/if r > 1 then List.map (fun _ -> Z.minus_one) half_spaces/' where%20three%20planes%20meet REFUSED '' <"$unions"
 mutant 's/Places\.find_opt (/(fun _ _ -> Some Z.zero) (/' five%20ways%20out REFUSED '' <"$unions"
 mutant 's/  demand_ranges (size.*/  ();/' a%20vertex%20of%20no%20point REFUSED '' <"$unions"
+# the plane: a height that is not looked at
+planes=$here/examples/proved_planes.cert
+mutant 's/^    plane$/    None/' 'as%20low%20as[^ :]*' REFUSED '' <"$planes"
 # format 5: a wrong unit, flags taken for one another or not found again, facets across an edge that are not, a piece left out
 tilings=$here/examples/proved_tilings.cert
 mutant 's/Z\.lcm m (Tiling_limits/Z.mul Z.zero (Tiling_limits/' a%20box%20in%20thirds REFUSED '' <"$tilings"

@@ -97,6 +97,55 @@ class Certificates(ProgramTest):
             "s VERIFIED disjoint distance_squared=1/4 pieces=6x1 triangles=24x12 a%20cube%20in%20a%20cavity",
             "s VERIFIED touching depth_squared=0 pieces=2x2 triangles=24x24 a%20bar%20on%20a%20beam"]))
 
+    def test_accepted_of_the_plane(self):
+        self.assertEqual(self.both(*sorted((DATA / "plane").glob("*.cert"))), (0, [f"s VERIFIED {line}" for line in (
+            "disjoint signed_depth=-sqrt(13)+0 dimension=2 apart",
+            "penetrating depth_squared_in=[1/2,3/2] dimension=2 bounds",
+            "disjoint signed_depth=-sqrt(25)+4 dimension=2 circles",
+            "penetrating signed_depth=sqrt(0)+1 cone=0+2 dimension=2 corner%20on%20corner",
+            "disjoint depth_squared=0 dimension=2 disjoint",
+            "penetrating depth_squared=16 optima=4 dimension=2 four%20ways%20out",
+            "penetrating signed_depth=sqrt(1)+0 dimension=2 half%20plane",
+            "disjoint signed_depth=-sqrt(16)+1 dimension=2 half%20plane%20apart",
+            "penetrating depth_squared=1 optima=1 pieces=2x1 dimension=2 pieces",
+            "disjoint distance_squared=2 pieces=2x1 dimension=2 pieces%20apart",
+            "touching depth_squared=0 pieces=2x1 dimension=2 pieces%20touching",
+            "penetrating signed_depth=sqrt(1)+1 optima=1 dimension=2 rounded",
+            "penetrating depth_squared=1 optima=1 dimension=2 squares",
+            "touching depth_squared=0 dimension=2 touching",
+            "disjoint distance_squared=9 pieces=2x1 triangles=-x- dimension=2 two%20unions")]))
+
+    def test_the_plane(self):
+        squares, pieces = DATA / "plane" / "squares.cert", DATA / "plane" / "pieces.cert"
+        code, lines, _ = self.run_program(CHECK, "--echo", squares, DATA / "plane" / "half_plane.cert", pieces)
+        self.assertEqual((code, lines[:8], lines[12], lines[19], lines[21:27]),
+                         (0, ["c id squares", "c plane 8", "c a 4", "c 0 0", "c 2 0", "c 0 2", "c 2 2", "c b 4"],
+                          "c claim depth 1", "c 2 2", ["c claim depth 1", lines[22], "c id pieces", "c plane 8", "c pieces_a 2", "c a 4"]))
+        code, lines, _ = self.run_program(CHECK, "--width", squares)
+        self.assertEqual((code, reason(lines[0])), (1, "bodies of the plane have no width here"))
+
+        def compared(a, b, certificate=squares, **more):
+            case = self.file("case.json", json.dumps({"dimension": 2, "a": a, "b": b, **more}))
+            code, lines, _ = self.run_program(CHECK, "--case", case, certificate)
+            return code, reason(lines[0]) if code == 1 else ""
+
+        def square(low, high):
+            return [[x, y] for y in (0, 2) for x in (low, high)]
+
+        a, b, whole = ({"vertices": square(*ends)} for ends in ((0, 2), (1, 3), (0, 2)))
+        self.assertEqual(compared(a, b), (0, ""))
+        self.assertEqual(compared(a, {**a, "pose": [[1, 0, 1], [0, 1, 0]]}), (0, ""))
+        self.assertEqual(compared(a, a), (1, "point 0 of b is not that of the case"))
+        self.assertEqual(compared(a, {"vertices": b["vertices"][:3]}), (1, "the case has 3 points in b, the certificate 4"))
+        self.assertEqual(compared({"pieces": [square(0, 1), {"vertices": square(1, 2)}]}, b, pieces), (0, ""))
+        self.assertEqual(compared({"pieces": [square(0, 1), square(1, 3)]}, b, pieces),
+                         (1, "point 1 of piece 1 of a is not that of the case"))
+        flat = {"vertices": [[*p, 0] for p in whole["vertices"]]}
+        self.assertEqual(compared(flat, flat, dimension=3), (1, "the case is of space, the certificate of the plane"))
+        self.assertEqual(compared(a, b, DATA / "depth_cubes.cert"), (1, "the case is of the plane, the certificate of space"))
+        for wrong in ({"a": flat}, {"dimension": 4}, {"dimension": "2"}, {"a": {**a, "pose": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]}}):
+            self.assertEqual(compared(**{"a": a, "b": b, **wrong})[0], 2, wrong)
+
     def test_two_bodies(self):
         beside, across = (DATA / "format_5" / "two_bodies" / f"{name}.cert" for name in ("beside", "across"))
         code, lines, _ = self.run_program(CHECK, "--echo", beside)
@@ -119,10 +168,10 @@ class Certificates(ProgramTest):
         self.assertEqual(code_of(across, depth={"squared": "2"}), 1)
         self.assertEqual(code_of(across, bound={"squared": "1"}), 1)
 
-    def test_the_faults_of_formats_4_and_5(self):
+    def test_the_faults_of_formats_4_and_5_and_the_plane(self):
         """Those of faults.jsonl, as check.py sees them too."""
         for row in map(json.loads, (DATA / "faults.jsonl").read_text().splitlines()):
-            if row["of"].startswith(("format_4/", "format_5/")) or "fathom-certificate 4" in str(row["edits"]):
+            if row["of"].startswith(("format_4/", "format_5/", "plane/")) or "fathom-certificate 4" in str(row["edits"]):
                 text = (DATA / row["of"]).read_text() if row["of"] else ""
                 for before, after in row["edits"]:
                     text = text.replace(before, after, 1)
@@ -134,7 +183,7 @@ class Certificates(ProgramTest):
         page = (ROOT / "verify" / "check" / "FORMAT.md").read_text()
         blocks = [block for block in re.findall(r"(?:^    .+\n)+", page, re.MULTILINE) if block.startswith("    fathom-certificate")]
         files = [re.sub("^#.*\n", "", file.read_text(), flags=re.MULTILINE) for file in DATA.rglob("*.cert")]
-        self.assertEqual(len(blocks), 6)
+        self.assertEqual(len(blocks), 7)
         for block in blocks:
             text = "".join(re.sub("  .*", "", line[4:]) + "\n" for line in block.splitlines())
             found = [file for file in files if re.sub("^id .*\n", "", file,
