@@ -268,7 +268,7 @@ struct Raising {
 struct Certificate {
   Arena integers;  ///< where all below lie
   int format = 1;
-  std::string id;  ///< percent-escaped as written; empty if none
+  std::string id;                  ///< percent-escaped as written; empty if none
   std::optional<Raising> raising;  ///< if the bodies are of the plane: as given below they are raised
   Body a, b;
   Claim claim = Claim::depth;

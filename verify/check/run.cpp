@@ -36,8 +36,7 @@ std::string text(const RationalPoint& p, bool plane = false) {
 void points(std::ostream& out, const char* name, const Body& body, std::size_t first, std::size_t last, bool plane) {
   if (plane) last = first + (last - first) / body.levels;
   out << "c " << name << ' ' << last - first << '\n';
-  for (std::size_t k = first; k < last; ++k)
-    out << 'c' << text(body.points.items[k], plane) << '\n';
+  for (std::size_t k = first; k < last; ++k) out << 'c' << text(body.points.items[k], plane) << '\n';
 }
 
 void shape(std::ostream& out, const char* name, const Body& body) {
