@@ -98,7 +98,7 @@ class Certificates(ProgramTest):
             "s VERIFIED touching depth_squared=0 pieces=2x2 triangles=24x24 a%20bar%20on%20a%20beam"]))
 
     def test_accepted_of_the_plane(self):
-        self.assertEqual(self.both(*sorted((DATA / "plane").glob("*.cert"))), (0, [f"s VERIFIED {line}" for line in (
+        self.assertEqual(self.both(*sorted((DATA / "plane").rglob("*.cert"))), (0, [f"s VERIFIED {line}" for line in (
             "disjoint signed_depth=-sqrt(13)+0 dimension=2 apart",
             "penetrating depth_squared_in=[1/2,3/2] dimension=2 bounds",
             "disjoint signed_depth=-sqrt(25)+4 dimension=2 circles",

@@ -193,10 +193,9 @@ def main():
     parser.add_argument("--count", type=int, default=4000)
     parser.add_argument("--share", type=int, default=1)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--without", action="append", default=[], metavar="NAME", help="a certificate that a checker does not read")
     parser.add_argument("path", nargs="+", type=pathlib.Path)
     options = parser.parse_args()
-    files = [file for path in options.path for file in sorted(path.glob("*.cert")) if file.stem not in options.without]
+    files = [file for path in options.path for file in sorted(path.glob("*.cert"))]
     genuine = [re.sub("^(#|id ).*\n", "", file.read_text(), flags=re.MULTILINE) for file in files]
     rng = random.Random(options.seed)
     texts = genuine + [(moved if k % 4 == 0 else lambda t, r: edited(t, genuine, r))(genuine[k % len(genuine)], rng)

@@ -30,7 +30,7 @@ def kind_of(text, row):
     header = re.search(r"^fathom-certificate ([1-5])$", text, re.MULTILINE)
     if not header:
         return "no-format"
-    return "format" + header[1] + {"5": "-two-bodies" if re.search("two_bodies|plane", row["of"]) else "-solid"}.get(header[1], "")
+    return "format" + header[1] + {"5": "-two-bodies" if "two_bodies" in row["of"] else "-solid"}.get(header[1], "")
 
 
 def rule_of(text, row):
