@@ -65,7 +65,7 @@ const software = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
 /**
  * A test of one page: `check(page)` runs with the page open. Afterwards the page may not have written an error to the console, nor asked for
- * anything but files. If something is wrong, a picture of the page is kept beside it.
+ * anything but files and what it made itself (a worker). If something is wrong, a picture of the page is kept beside it.
  * Options: width, height, flags of the browser, hash (of the address), and those of a Playwright context (colorScheme, javaScriptEnabled, …).
  */
 export function onPage(name, file, options, check) {
@@ -77,7 +77,7 @@ export function onPage(name, file, options, check) {
     const wrong = [];
     page.on('console', (message) => message.type() === 'error' && wrong.push(`console: ${message.text()}`));
     page.on('pageerror', (error) => wrong.push(`exception: ${error.stack}`));
-    page.on('request', (request) => request.url().startsWith('file:') || wrong.push(`request: ${request.url().slice(0, 200)}`));
+    page.on('request', (request) => /^(file|blob):/.test(request.url()) || wrong.push(`request: ${request.url().slice(0, 200)}`));
     try {
       await page.goto(pathToFileURL(typeof file === 'function' ? file() : file) + hash);
       await check(page);

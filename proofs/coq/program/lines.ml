@@ -27,6 +27,9 @@ let longest_number = 100_000
 let most_bytes = 1_000_000_000
 let most_numbers = 10_000_000
 
+(* so many digits fit into OCaml's integers: of 63 bits, or of 32 in a browser *)
+let few_digits = if Sys.int_size >= 63 then 18 else 9
+
 let refill r =
   r.start <- 0;
   r.stop <- input r.channel r.block 0 (Bytes.length r.block);
@@ -113,7 +116,7 @@ let natural f =
   let n = f.at - first in
   if n = 0 then wrong f;
   if n > longest_number then malformed f.lines "numbers of at most 100000 digits";
-  if n <= 18 then Z.of_int (int_of_string (String.sub f.s first n)) else Z.of_substring f.s ~pos:first ~len:n
+  if n <= few_digits then Z.of_int (int_of_string (String.sub f.s first n)) else Z.of_substring f.s ~pos:first ~len:n
 
 let integer f =
   if f.at < String.length f.s && f.s.[f.at] = '-' then (f.at <- f.at + 1; Z.neg (natural f)) else natural f

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bodies of a certificate, for the picture alone: numbers become binary64, and nothing here decides anything. What is judged the program
+// reads by itself.
+
+const isHeader = (line) => line.startsWith('fathom-certificate');
+
+/** The lines of each certificate that a verdict is about: the program goes on behind an `end`, and from what is malformed to the next header. */
+function certificatesOf(text, verdicts) {
+  const lines = text.split('\n'), found = [];
+  let at = 0;
+  for (const verdict of verdicts) {
+    while (at < lines.length && lines[at].startsWith('#')) ++at;
+    const first = at++;
+    if (verdict.startsWith('s MALFORMED')) while (at < lines.length && !isHeader(lines[at])) ++at;
+    else while (at < lines.length && !lines[at - 1].startsWith('end ')) ++at;
+    found.push(lines.slice(first, at).filter((line) => !line.startsWith('#')));
+  }
+  return found;
+}
+
+/** Their lines up to the claim: what there is to compare with one's own. */
+function bodyLines(lines) {
+  const claim = lines.findIndex((line) => line.startsWith('claim '));
+  return lines.slice(0, claim < 0 ? lines.length : claim);
+}
+
+/** A rational as binary64: of very long ones as many digits are left out above as below. */
+function valueOf(text) {
+  const [above, below = '1'] = text.split('/'), long = Math.max(above.length, below.length) - 300;
+  if (long <= 0) return Number(above) / Number(below);
+  return Number(above.slice(0, Math.max(0, above.length - long)) || 0) / Number(below.slice(0, Math.max(0, below.length - long)) || 0);
+}
+
+function vectorsOf(words) {
+  const values = words.map(valueOf), vectors = [];
+  for (let i = 0; i + 2 < values.length; i += 3) vectors.push(values.slice(i, i + 3));
+  return vectors;
+}
+
+/**
+ * {a, b}: of each body its parts, and its edges if it is given by a mesh. A part is convex: {terms, radius}, the sum of terms, each the hull
+ * of atoms [center, ...axes]; or {plane: [normal, offset]}. A certificate of one solid has no b.
+ */
+function bodiesOf(lines) {
+  const bodies = { a: { parts: [], edges: [] }, b: { parts: [], edges: [] } };
+  let at = 0;
+  const atoms = (count) => lines.slice(at + 1, at += 1 + count).map((line) => vectorsOf(line.split(' ').filter((word) => !/^[a-z]/.test(word))));
+  while (at < lines.length && !lines[at].startsWith('claim ')) {
+    const [word, ...rest] = lines[at].split(' '), [, what, whose] = /^(?:(\w+)_)?([ab])$/.exec(word) ?? [];
+    const body = bodies[whose], count = Number(rest[0]);
+    if (body && (what === undefined || what === 'solid')) {
+      const points = atoms(count);
+      if (what === undefined) body.parts.push({ terms: [points], radius: 0 });
+      else body.points = points.map(([p]) => p);
+    } else if (body && what === 'shape') {
+      ++at;
+      const terms = [];
+      while (terms.length < count && lines[at]?.startsWith('term ')) terms.push(atoms(Number(lines[at].split(' ')[1])));
+      body.parts.push({ terms, radius: 0 });
+    } else if (body && what === 'halfspace') {
+      body.parts.push({ plane: [vectorsOf(rest)[0], valueOf(rest[3])], terms: [], radius: 0 });
+      ++at;
+    } else if (body && what === 'radius') {
+      body.parts.at(-1).radius = valueOf(rest[0]);
+      ++at;
+    } else if (word === 'mesh') {
+      const solid = bodies.b.points ? bodies.b : bodies.a;
+      for (const line of lines.slice(at + 1, at += 1 + count)) {
+        const corners = line.split(' ').map((i) => solid.points[i]);
+        corners.forEach((p, i) => solid.edges.push([p, corners[(i + 1) % corners.length]]));
+      }
+    } else {
+      ++at;
+    }
+  }
+  return bodies;
+}
