@@ -222,6 +222,7 @@ constexpr Example cases_examples[] = {
      "one case per line, schema fathom/case/1; the same on every machine"},
     {"fathom cases --family random_sphere --count 10 --size 50 | fathom depth -", "generated and answered"},
     {"fathom cases --catalogue", "all named degenerate pairs"},
+    {"fathom cases --small-world 0 --count 100 | fathom depth -", "the first of all pairs of small tetrahedra"},
     {"fathom cases --family all --shapes --count 50 | fathom depth -",
      "round and curved bodies, of every family in turn"},
     {"fathom cases --catalogue --unions | fathom depth -", "named pairs of bodies that are not convex"},
@@ -345,7 +346,8 @@ constexpr CommandHelp commands[] = {
     {"robot", "Signed depths of all pairs of links of a robot that may touch, exactly.",
      "fathom robot [OPTIONS] FILE.urdf", robot_examples, usual_exits, robot_notes},
     {"cases", "Test cases by name, or from two meshes.",
-     "fathom cases --family NAME [OPTIONS] | --catalogue | --list | --from [OPTIONS] A B | --from-fcl FILE",
+     "fathom cases --family NAME [OPTIONS] | --catalogue | --small-world N | --list | --from [OPTIONS] A B | "
+     "--from-fcl FILE",
      cases_examples, usual_exits, usual_notes},
     {"certify", "Where another implementation is wrong, case by case.",
      "fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | - | --worst | diff "

@@ -119,6 +119,12 @@ std::vector<Option> make_table() {
        "about so many points a body, of unions pieces (the family's usual size)",
        {wrong_integer<1, 1'000'000>}},
       flag("cases", "--catalogue", "all named degenerate pairs"),
+      {"cases",
+       "--small-world",
+       "N",
+       "pair N, from 0, of all pairs of tetrahedra with corners in {0, 1, 2}^3, flat ones included, once up to the "
+       "symmetries of that cube; with --count those after it too. Each says of what kind it is",
+       {wrong_integer<0, UINT64_MAX>}},
       flag("cases", "--list", "the families, with a line on each"),
       flag("cases", "--from", "the meshes A and B as one case, vertices as read"),
       flag("cases", "--shapes",

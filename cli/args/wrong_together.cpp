@@ -33,13 +33,17 @@ namespace fathom::cli {
 namespace {
 
 std::string wrong_cases(const Given& given) {
-  const auto wanted = std::ranges::count_if(std::array{"--family", "--catalogue", "--list", "--from", "--from-fcl"},
-                                            [&](const char* option) { return given.has(option); });
+  const auto wanted =
+      std::ranges::count_if(std::array{"--family", "--catalogue", "--small-world", "--list", "--from", "--from-fcl"},
+                            [&](const char* option) { return given.has(option); });
   if (wanted != 1)
-    return fmt::format("cases expects one of --family, --catalogue, --list, --from and --from-fcl, found {}",
-                       wanted == 0 ? "none" : "several");
-  for (const char* option : {"--count", "--seed", "--size"})
+    return fmt::format(
+        "cases expects one of --family, --catalogue, --small-world, --list, --from and --from-fcl, found {}",
+        wanted == 0 ? "none" : "several");
+  for (const char* option : {"--seed", "--size"})
     if (!given.has("--family") && given.has(option)) return fmt::format("{} goes with --family", option);
+  if (given.has("--count") && !given.has("--family") && !given.has("--small-world"))
+    return "--count goes with --family and --small-world";
   const bool of_many =
       given.has("--catalogue") || given.has("--list") || given.words("--family") == std::vector<std::string>{"all"};
   for (const char* option : {"--shapes", "--unions"})

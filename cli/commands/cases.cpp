@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom cases --family NAME|all | --catalogue | --list | --from A B | --from-fcl FILE
+// fathom cases --family NAME|all | --catalogue | --small-world N | --list | --from A B |
+// --from-fcl FILE
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -25,6 +26,7 @@
 #include "reference/files/file_io.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -152,6 +154,19 @@ ExitCode print_catalogue(families::Kind kind) {
   return fine;
 }
 
+/// Prints so many pairs of the small world from `first` on, as far as there are.
+ExitCode print_small_world(std::uint64_t first, std::uint64_t count) {
+  const std::uint64_t size = families::small_world_size();
+  if (first >= size)
+    throw InputError("--small-world", 0, fmt::format("expected a number from 0 to {}, found {}", size - 1, first));
+  for (std::uint64_t number = first; number < size && number - first < count; ++number)
+    print_case(families::small_case(number),
+               {{"small_world", fmt::format("{}", number)},
+                {"kinds", fmt::format("{}", fmt::join(families::small_kinds(families::small_pair(number)), " "))}},
+               "");
+  return fine;
+}
+
 ExitCode print_list(std::span<const families::Family> all) {
   std::size_t column = 0;
   for (const families::Family& family : all) column = std::max(column, family.name.size());
@@ -193,6 +208,9 @@ ExitCode run_cases(const Given& given) {
   if (given.has("--from")) return print_meshes(BodiesRequest(given));
   if (given.has("--list")) return print_list(families::families(asked_kind(given)));
   if (given.has("--catalogue")) return print_catalogue(asked_kind(given));
+  if (given.has("--small-world"))
+    return print_small_world(*given.integer<std::uint64_t>("--small-world"),
+                             given.integer<std::uint64_t>("--count").value_or(1));
   return print_families(FamiliesRequest(given), asked_kind(given));
 }
 

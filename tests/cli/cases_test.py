@@ -144,6 +144,33 @@ class Unions(CasesTest):
         self.assertEqual(reader.stdout.count(b"s VERIFIED "), len(cases))
 
 
+class SmallWorld(CasesTest):
+    LAST = 6463187
+
+    def test_three_checkers_accept_a_slice(self):
+        lines = "".join(self.answer("cases", "--small-world", first, "--count", 4) for first in range(0, self.LAST, 307_770))
+        cases = [json.loads(line) for line in lines.splitlines()]
+        self.assertEqual({point for case in cases for body in "ab" for vertex in case[body]["vertices"] for point in vertex}, {0, 1, 2})
+        proofs = self.folder / "proofs"
+        self.answer("depth", "--certificate", proofs, self.file("small.jsonl", lines))
+        certificates = sorted(proofs.glob("*.cert"))
+        self.assertEqual(len(certificates), len(cases))
+        reader = subprocess.run([sys.executable, "-B", ROOT / "verify" / "check" / "check.py", *certificates], stdout=subprocess.PIPE,
+                                timeout=PATIENCE, check=True)
+        self.assertEqual(reader.stdout.count(b"s VERIFIED "), len(cases))
+        self.assertEqual(self.answer("check", *certificates).count("s VERIFIED "), len(cases))
+
+    def test_numbers_and_kinds(self):
+        first, = self.cases("--small-world", 3)
+        self.assertEqual(first["id"], "small_world::3")
+        self.assertEqual(first["source"]["small_world"], "3")
+        words = first["source"]["kinds"].split()
+        self.assertEqual(words[0], "touching_face_face")
+        self.assertIn("flat_a", words)
+        last = self.cases("--small-world", self.LAST, "--count", 5)
+        self.assertEqual([case["id"] for case in last], [f"small_world::{self.LAST}"])
+
+
 class Catalogue(CasesTest):
     def test_all_entries(self):
         lines = self.answer("cases", "--catalogue")

@@ -74,6 +74,13 @@ class Nightly(unittest.TestCase):
         self.assertEqual(code, 0, out + err)
         self.assertIn("seed 7, cases 0 to 72: automatic and exact agree in every field; goes on: --seed 7 --from 72 --unions\n", out)
 
+    def test_the_small_world(self):
+        code, out, err = self.run_words(TWO_WAYS, "--seed", "7", "--small-world", "--from", "6463100", "--cases", "200")
+        self.assertEqual(code, 0, out + err)
+        self.assertIn("cases 6463100 to 6463188: automatic and naive agree in every field; ", out)
+        self.assertIn("goes on: --seed 7 --from 6463188 --small-world", out)
+        self.assertEqual(self.run_words(TWO_WAYS, "--small-world", "--unions")[0], 2)
+
     def test_a_planted_difference_of_unions(self):
         code, out, err = self.run_words(PLANTED, "--seed", "7", "--cases", "72", "--unions", "--keep", self.folder)
         self.assertEqual(code, 1, out + err)

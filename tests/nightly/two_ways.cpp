@@ -12,6 +12,7 @@
 
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
+#include "verify/families/polytope_pairs.hpp"
 #include "verify/harness/two_ways.hpp"
 
 namespace fathom::nightly {
@@ -27,7 +28,7 @@ struct Wanted {
   std::optional<Clock::duration> until;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
   std::string keep = "differences";
-  bool unions = false;
+  bool unions = false, small_world = false;
 };
 
 /// "90s", "10min", "8h".
@@ -69,11 +70,16 @@ void add_options(CLI::App& app, Wanted& wanted) {
   app.add_option("--keep", wanted.keep, "the folder for a case with a difference; 'differences' unless given")
       ->type_name("DIR");
   app.add_flag("--unions", wanted.unions, "cases of unions alone");
+  app.add_flag("--small-world", wanted.small_world,
+               "every pair of tetrahedra with corners in {0, 1, 2}^3 instead, in order, the second way by the hull of "
+               "all vertex differences")
+      ->excludes("--unions");
 }
 
 /// Every fifth case is one of unions.
 Case case_of(const Wanted& wanted, std::uint64_t number) {
   constexpr std::uint64_t turn = 5;
+  if (wanted.small_world) return families::small_case(number);
   if (wanted.unions) return harness::random_unions(wanted.seed, number);
   const std::uint64_t round = number / turn, place = number % turn;
   if (place + 1 == turn) return harness::random_unions(wanted.seed, round);
@@ -89,6 +95,10 @@ harness::StreamResult compare(const Wanted& wanted, cli::Progress& progress, con
   plan.make = [&](std::uint64_t number) { return case_of(wanted, number); };
   plan.from = wanted.from;
   plan.count = wanted.count;
+  if (wanted.small_world) {
+    const std::uint64_t size = families::small_world_size(), rest = size - std::min(size, wanted.from);
+    plan.count = std::min(rest, wanted.count.value_or(rest));
+  }
   plan.jobs = wanted.jobs;
   plan.stop = [&] { return progress.stopped() || (wanted.until && Clock::now() - begin >= *wanted.until); };
   plan.report = [&](std::uint64_t done) { progress.report(fmt::format("{} cases agree", done), -1); };
@@ -102,8 +112,11 @@ int run(const Wanted& wanted, const harness::Solver& x, const harness::Solver& y
   cli::Progress progress;
   const harness::StreamResult result = compare(wanted, progress, x, y);
   progress.clear();
-  const std::string goes_on = fmt::format("goes on: --seed {} --from {}{}", wanted.seed,
-                                          result.end + (result.first ? 1 : 0), wanted.unions ? " --unions" : "");
+  const std::string goes_on =
+      fmt::format("goes on: --seed {} --from {}{}", wanted.seed, result.end + (result.first ? 1 : 0),
+                  wanted.unions        ? " --unions"
+                  : wanted.small_world ? " --small-world"
+                                       : "");
   if (!result.first) {
     cli::print(fmt::format("seed {}, cases {} to {}: {} and {} agree in every field; {}", wanted.seed, wanted.from,
                            result.end, x.name, y.name, goes_on));
@@ -136,7 +149,7 @@ int two_ways(int argc, char** argv, const harness::Solver& x, const harness::Sol
   add_options(app, wanted);
   try {
     app.parse(argc, argv);
-    return run(wanted, x, y);
+    return run(wanted, x, wanted.small_world ? harness::solver_by(Method::naive) : y);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? agreed : wrong_arguments;
   } catch (const std::exception& error) {

@@ -168,6 +168,50 @@ class Survey(unittest.TestCase):
         self.assertEqual((self.out / "results.json").read_bytes(), before)
         self.assertEqual(len(reports), len(list((self.folder / "work").glob("*.jsonl"))))
 
+    def test_the_small_world(self):
+        """Two shards of it, the second after an interruption; the tables count them, and every other part of the results stays."""
+        out, work, chosen = self.folder / "small", self.folder / "world", "libccd-epa,ode-collide"
+        out.mkdir()
+        (out / "results.json").write_bytes((self.out / "results.json").read_bytes())
+        words = ["--adapters", chosen, "--first", 1_500_000, "--shard", 30, "--work", work, "--out", out]
+        for end in (1_500_030, 1_500_060):
+            done = run("world.py", *words, "--end", end)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with (work / "ode-collide.jsonl").open("a", encoding="utf-8") as file:
+                file.write('{"begin": 1500060, "cut o')
+        self.assertNotIn("libccd-epa: pairs up to 1500030", done.stderr)
+        done = run("world.py", *words, "--merge")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        made = json.loads((out / "results.json").read_text())
+        jsonschema.Draft202012Validator(json.loads((SURVEY / "survey.schema.json").read_text())).validate(made)
+        small = made.pop("small_world")
+        self.assertEqual(made, self.results)
+        self.assertEqual((small["pairs"], list(small["subjects"])), (6_463_188, chosen.split(",")))
+        for adapter, subject in small["subjects"].items():
+            self.assertEqual(subject["asked"], [[1_500_000, 1_500_060]])
+            self.assertEqual(sum(subject["kinds"]["all"]["n"].values()), 60)
+            self.assertEqual(sum(sum(found["n"].values()) for kind, found in subject["kinds"].items()
+                                 if kind.startswith(("touching_", "contact_", "disjoint", "ties"))), 60, "of one way to meet each")
+            for verdict, number in subject["kinds"]["all"]["first"].items():
+                self.assertEqual(self.verdict(adapter, number), verdict)
+
+    def verdict(self, adapter, number):
+        """The verdict on pair `number` of the small world today."""
+        pair = subprocess.run([FATHOM, "cases", "--small-world", str(number)], stdout=subprocess.PIPE, check=True).stdout
+        done = subprocess.run([FATHOM, "certify", "--adapter", adapter, "--json", "-"], input=pair, stdout=subprocess.PIPE, check=False)
+        return json.loads(done.stdout.splitlines()[1])["verdict"]
+
+    def test_committed_small_world(self):
+        """Law: the least failing pairs of the committed results fail today in the same way."""
+        small, compared = json.loads((SURVEY / "results.json").read_text()).get("small_world", {"subjects": {}}), 0
+        for subject in self.results["subjects"]:
+            known = small["subjects"].get(subject["adapter"])
+            if known and known["hello"]["version"] == subject["hello"]["version"]:
+                for verdict, number in known["kinds"]["all"]["first"].items():
+                    self.assertEqual(self.verdict(subject["adapter"], number), verdict, f"{subject['adapter']}, pair {number}")
+                    compared += 1
+        self.assertGreater(compared, 0)
+
     def test_pages(self):
         pages = self.folder / "pages"
         done = run("page.py", "--results", self.out / "results.json", "--history", self.history(), "--out", pages)

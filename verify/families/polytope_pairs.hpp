@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pairs of polytopes, made for the families. `n` is the number of points of each body where nothing
 // else is said. Random poses; crossed bundles; pairs made from their contact; degenerate pairs;
-// pairs made from their answer; extremes.
+// pairs made from their answer; extremes; the
+// small world.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -427,5 +429,40 @@ Bodies degraded(Degradation way, Random& random, unsigned n);
 /// A pair of spheres of points, degraded in a random way, then each point moved by at most 2^-k, 4
 /// <= k <= 200.
 Bodies approaching_degraded(Random& random, unsigned n);
+
+// ---- the small world ----
+
+// Every pair of tetrahedra with corners in {0, 1, 2}^3, flat ones included, once up to the 48
+// symmetries of that cube. A pair and its swap are two pairs: libraries answer them by different
+// ways.
+
+/// Four different points of {0, 1, 2}^3, in lexicographic order.
+using SmallTetrahedron = std::array<std::array<int, 3>, 4>;
+
+struct SmallPair {
+  SmallTetrahedron a, b;
+  friend auto operator<=>(const SmallPair&, const SmallPair&) = default;
+};
+
+/// The number of pairs, up to symmetry. [Burnside's lemma, in the test]
+std::uint64_t small_world_size();
+
+/// Pair `number`, from 0. Pairs ascend lexicographically, and each is the least of all
+/// its images. Throws std::out_of_range. May be called by many threads at once.
+SmallPair small_pair(std::uint64_t number);
+
+/// The same as a case, "small_world::<number>".
+Case small_case(std::uint64_t number);
+
+/// What is special about a pair, exactly. First how the bodies meet: one of "disjoint",
+/// "touching_vertex_edge" and so on, by the least faces of A and of B that touch,
+/// "contact_facet_vertex" and so on, by the one optimum of bodies that penetrate, or "ties" if it
+/// has several. Then, of "flat_a", "flat_b", "shared_vertices", "parallel_edges",
+/// "coincident_normals", "equal_normals" and "coplanar_facets", what holds; the last four as in a
+/// Study.
+std::vector<std::string_view> small_kinds(const SmallPair& pair);
+
+/// All words of small_kinds, in this order.
+std::vector<std::string_view> all_small_kinds();
 
 }  // namespace fathom::families

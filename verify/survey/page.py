@@ -15,6 +15,7 @@ import history
 import sets
 import tables
 import tally
+import world
 from markup import FAILING, GROUP_CLASS, bar, document, e, file_name, key, time_text, told
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -133,6 +134,25 @@ def both_ways(results):
     return text + "</section>\n"
 
 
+def small_world(results):
+    """Returns the tables of the small world, one for each subject that was asked about it, folded."""
+    found = results.get("small_world")
+    if not found:
+        return ""
+    parts = []
+    for adapter, subject in found["subjects"].items():
+        head, rows = world.rows_of(subject)
+        cells = "\n".join(f'<tr><th scope="row">{e(row[0])}</th>{"".join(f"<td>{e(cell)}</td>" for cell in row[1:])}</tr>' for row in rows)
+        parts.append(f'<details><summary>{e(adapter)} <span class="soft">{e(subject["hello"]["version"])}, pairs '
+                     f'{e(world.asked_text(subject, found["pairs"]))}, asked {e(subject["made"]["date"])}</span></summary>\n'
+                     f'<div class="wide" tabindex="0" role="region" aria-label="The small world, {e(adapter)}"><table class="facts"><thead><tr>'
+                     f'{"".join(f"""<th scope="col">{e(cell)}</th>""" for cell in head)}</tr></thead><tbody>{cells}</tbody></table></div>'
+                     "</details>\n")
+    return (f'<section><h2>The small world</h2>\n<p>Every pair of tetrahedra with corners in {{0, 1, 2}}³, once up to symmetry: '
+            f'{found["pairs"]} pairs, <code>{e(found["command"])}</code>. Each subject is counted on the pairs that it was asked about; the '
+            f'least failing pair has the number N of <code>fathom cases --small-world N</code>.</p>\n{"".join(parts)}</section>\n')
+
+
 def subject_cards(results):
     cards = []
     for subject in results["subjects"]:
@@ -157,7 +177,7 @@ def index(results, of_versions):
             "</header>\n")
     both = both_ways(results) if all(name in results["sets"] for name in sets.TRIED_SETS) else ""
     body = head + filters(results) + "<main>\n" + both + "".join(section(results, name) for name in results["sets"])
-    body += history.section(of_versions) + subject_cards(results) + "</main>\n"
+    body += small_world(results) + history.section(of_versions) + subject_cards(results) + "</main>\n"
     body += ('<footer><p class="soft small">Times are medians of the query alone in microseconds, as each subject measured it, hulls made '
              "before. How it is made: <code>verify/survey</code> of fathom.</p></footer>\n")
     return document("Collision libraries, judged exactly", body, filter_style(results))

@@ -193,6 +193,8 @@ def results(options, there, tasks, others, manifolds):
              "sets": {name: tally.set_of(name, options.work / f"{name}.jsonl") if name in options.sets else old["sets"][name]
                       for name in sets.SETS if name in options.sets or name in old["sets"]},
              "contacts": counted_contacts(options, manifolds, version, old.get("contacts", {}))}
+    if "small_world" in old:  # world.py asks about it
+        found["small_world"] = old["small_world"]
     subjects = {subject["adapter"]: subject for subject in old["subjects"]}
     for task in tasks:
         subject = subjects.setdefault(task.adapter, {"adapter": task.adapter, "tried": [], "sets": {}})

@@ -16,6 +16,7 @@ import textwrap
 import contacts
 import sets
 import tally
+import world
 
 COLUMNS = 100
 PAGE = """# What they answer
@@ -41,7 +42,7 @@ that it lacks. Each case had {time_out:g} s.
 
 {best}
 {sections}
-{contacts}"""
+{small_world}{contacts}"""
 
 SECTION = """## {title}
 
@@ -53,6 +54,23 @@ worst are in parts of the largest coordinate. Times are those of the query alone
 
 {groups}
 {errors}"""
+
+SMALL_WORLD = """## The small world
+
+    {command}
+
+Every pair of tetrahedra with corners in {{0, 1, 2}}^3, flat ones included, once up to the symmetries of that cube: {pairs} pairs, generated
+and not stored. A pair is of one way to meet (`disjoint`, `touching_...`, `contact_...` of its one optimum, `ties`) and of every further
+kind that holds. The least failing pair of a kind is the first in lexicographic order, by its number: `fathom cases --small-world N` makes
+it. A subject that was asked about a part of the world is counted on that part alone; `verify/survey/world.py` asks on.
+
+{sections}
+"""
+SMALL_WORLD_SECTION = """### {adapter}
+
+{version}; {settings}. Asked on {date}, by {fathom}: {asked}.
+
+{table}"""
 
 CONTACTS = """## Contacts
 
@@ -325,12 +343,23 @@ def contacts_page(results, today):
         for each in found.values()))
 
 
+def small_world_page(results):
+    found = results.get("small_world")
+    if not found:
+        return ""
+    sections = [SMALL_WORLD_SECTION.format(
+        adapter=adapter, version=subject["hello"]["version"], asked="pairs " + world.asked_text(subject, found["pairs"]), **subject["made"],
+        settings="; ".join(f"{key} {value}" for key, value in sorted(subject["hello"]["settings"].items())) or "no settings",
+        table=table(*world.rows_of(subject))) for adapter, subject in found["subjects"].items()]
+    return SMALL_WORLD.format(command=found["command"], pairs=found["pairs"], sections="\n".join(sections))
+
+
 def page(results, today):
     sections = [SECTION.format(**found, groups=groups_table(results, name), errors=errors_table(results, name))
                 for name, found in results["sets"].items()]
     return PAGE.format(made=made(results, results["sets"], today), time_out=results["time_out"], legend=LEGEND, best_legend=BEST_LEGEND,
                        subjects=subjects_table(results["subjects"]), real=table(*real_table(results)), best=table(*best_table(results)),
-                       sections="\n".join(sections), contacts=contacts_page(results, today))
+                       sections="\n".join(sections), small_world=small_world_page(results), contacts=contacts_page(results, today))
 
 
 def blocks(results, today):

@@ -181,5 +181,9 @@ def text(results_):
         return f'{head}, "{key}": {compact(values[key])}}}'
     subjects = [with_lines(subject, "sets") for subject in results_["subjects"]]
     contacts = [f"{json.dumps(name)}: {with_lines(found, 'subjects')}" for name, found in results_["contacts"].items()]
-    head = json.dumps({key: value for key, value in results_.items() if key not in ("subjects", "contacts")}, indent=1)[:-2]
+    head = json.dumps({key: value for key, value in results_.items() if key not in ("subjects", "contacts", "small_world")}, indent=1)[:-2]
+    if small := results_.get("small_world"):
+        of_subjects = [f"{json.dumps(name)}: {with_lines(found, 'kinds')}" for name, found in small["subjects"].items()]
+        rest = json.dumps({key: value for key, value in small.items() if key != "subjects"})[:-1]
+        head += f',\n "small_world": {rest}, "subjects": {{\n' + ",\n".join(of_subjects) + "}}"
     return f'{head},\n "contacts": {{\n' + ",\n".join(contacts) + '},\n "subjects": [\n' + ",\n".join(subjects) + "\n]}\n"
