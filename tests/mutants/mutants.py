@@ -149,6 +149,8 @@ MUTANTS = [Mutant(*fields) for fields in [
     ("verify/check/check.py", "demand(dot(n, cross(before, m)) > 0,", "demand(dot(n, cross(before, m)) >= 0,",
      "check_forgeries_of_patches"),
     # the judge and the harness
+    ("verify/families/small_world.cpp", "(*image)[b] >= b;", "(*image)[b] > b;", "families_tests"),
+    ("verify/families/small_world.cpp", "separating = minus(separating, negative(u));", "separating = u;", "families_tests"),
     ("verify/judge/judge.cpp", "if (claim_.overlap && conventions_.touching == Touching::separate)",
      "if (claim_.overlap && conventions_.touching == Touching::either)", "doors_tests"),
     ("verify/judge/manifold.cpp", "return rise == 1 && deeper(*fault.contact, limit);",
