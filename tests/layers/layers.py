@@ -66,7 +66,7 @@ CLOSED_TO_ALL_BUT = ("verify/harness", "verify/golden", "cli", "bindings/python"
 ALONE = ("verify/subjects", "verify/reports", "verify/examples", "examples")
 DOORS = ("include/fathom/", "kernels/", "reference/", "verify/judge/")
 FIRST = ("kernels/", "reference/", "verify/", "view/", "cli/")
-APACHE = ("verify/check/", "verify/examples/", "verify/subjects/kit/")
+APACHE = ("verify/check/", "examples/ci/", "verify/examples/", "verify/subjects/kit/")
 PUBLIC_DOMAIN = ("verify/golden/kit/", "verify/reports/")  # what exports of golden data begin with; programs for others
 NAMES_OF_THEIR_OWN = ("verify/check/", "verify/subjects/", "verify/reports/", "verify/examples/", "examples/", "tests/", "proofs/")
 
