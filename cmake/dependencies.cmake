@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every library that fathom is built from. What each is for: docs/architecture.md. The headers of
 # CGAL, simdjson and pugixml are used inside .cpp files only.
+if(FATHOM_STATIC)
+  set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
+  add_link_options(-static)
+endif()
 include(${CMAKE_CURRENT_LIST_DIR}/fathomNumbers.cmake)
 fathom_find_numbers()
 
@@ -20,8 +24,10 @@ find_package(CLI11 REQUIRED)
 find_package(TBB REQUIRED)
 find_library(FATHOM_LIBMD md REQUIRED)
 find_package(mimalloc QUIET)
-# Optional: scenes (glTF, COLLADA, 3MF). Only headers: the library is loaded when the first such file is read.
-find_path(FATHOM_ASSIMP_INCLUDE assimp/cimport.h)
+# Optional: scenes (glTF, COLLADA, 3MF). Only headers: the library is loaded when the first such file is read. A static program loads none.
+if(NOT FATHOM_STATIC)
+  find_path(FATHOM_ASSIMP_INCLUDE assimp/cimport.h)
+endif()
 if(NOT FATHOM_ASSIMP_INCLUDE)
   message(STATUS "glTF, COLLADA and 3MF are left out: they need Assimp (Debian: libassimp-dev)")
 endif()
@@ -30,6 +36,13 @@ if(FATHOM_ONLY_DEPTH)
 endif()
 
 find_package(zstd REQUIRED)
+if(FATHOM_STATIC)
+  foreach(library fmt::fmt=fmt simdjson::simdjson=simdjson pugixml::shared=pugixml TBB::tbb=tbb mimalloc=mimalloc zstd::libzstd_shared=zstd)
+    string(REGEX MATCH "^(.*)=(.*)$" library ${library})
+    find_library(FATHOM_ARCHIVE_${CMAKE_MATCH_2} ${CMAKE_MATCH_2} REQUIRED)
+    set_target_properties(${CMAKE_MATCH_1} PROPERTIES IMPORTED_LOCATION_RELEASE ${FATHOM_ARCHIVE_${CMAKE_MATCH_2}})
+  endforeach()
+endif()
 
 # Optional: the Python module.
 if(FATHOM_PYTHON)

@@ -5,6 +5,7 @@
 # <fathom/cgal.hpp> links CGAL::CGAL too.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
+include(cmake/install_programs.cmake)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/fathom)
 
 foreach(room headers kernels reference study judge)
@@ -20,22 +21,6 @@ file(RELATIVE_PATH from_pkgconfig_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /
 configure_file(cmake/fathom-c.pc.in ${PROJECT_BINARY_DIR}/fathom-c.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/fathom-c.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-install(PROGRAMS verify/check/check.py DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom)
-install(DIRECTORY verify/subjects/kit DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom PATTERN "*.md" EXCLUDE)
-install(DIRECTORY verify/golden/kit/ DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom/golden
-  PATTERN "*.md" EXCLUDE PATTERN make.sh EXCLUDE)  # that makes the sample from the tree
-if(TARGET fathom)
-  set(sample ${PROJECT_BINARY_DIR}/golden_sample)
-  file(GLOB golden_data CONFIGURE_DEPENDS tests/data/golden/*)
-  add_custom_command(OUTPUT ${sample}/fathom_golden_sample.rs
-    COMMAND ${PROJECT_SOURCE_DIR}/verify/golden/kit/make.sh ${sample} $<TARGET_FILE:fathom>
-    DEPENDS fathom verify/golden/kit/make.sh ${golden_data} VERBATIM)
-  add_custom_target(golden_sample DEPENDS ${sample}/fathom_golden_sample.rs)
-  add_dependencies(installed golden_sample)
-  install(DIRECTORY ${sample}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom/golden)
-endif()
-install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN CMakeLists.txt EXCLUDE PATTERN "*.md" EXCLUDE)
-install(DIRECTORY verify/examples/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples/verify PATTERN __pycache__ EXCLUDE PATTERN "*.md" EXCLUDE)
 install(EXPORT fathom NAMESPACE fathom:: FILE fathomTargets.cmake DESTINATION ${package_dir})
 
 configure_package_config_file(cmake/fathomConfig.cmake.in ${PROJECT_BINARY_DIR}/fathomConfig.cmake INSTALL_DESTINATION ${package_dir})
@@ -43,13 +28,4 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/fathomConfigVersion.cmake
 install(FILES ${PROJECT_BINARY_DIR}/fathomConfig.cmake ${PROJECT_BINARY_DIR}/fathomConfigVersion.cmake cmake/fathomNumbers.cmake
   DESTINATION ${package_dir})
 
-foreach(program fathom fathom-check fathom-mpi)
-  if(TARGET ${program})
-    install(TARGETS ${program})
-    add_dependencies(installed ${program})
-  endif()
-endforeach()
 add_dependencies(installed fathom_c fathom_kernels fathom_reference fathom_study fathom_judge fathom_check)
-file(GLOB schemas CONFIGURE_DEPENDS cli/*/*.schema.json reference/*/*.schema.json verify/*/*.schema.json view/*/*.schema.json)
-install(FILES ${schemas} DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom/schemas)
-install(DIRECTORY LICENSES DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -8,6 +8,9 @@
 # try_in_chroot.sh --proofs [SUITE]            the Coq and the OCaml of SUITE prove proofs/coq, build the proved checker, and make its tests.
 # try_in_chroot.sh --arm64 [SUITE]             cross-builds fathom-depth, fathom-check and the library for C for arm64; under qemu they answer,
 #                                              prove, check the proofs of L0, and run the examples in C.
+# try_in_chroot.sh --archive FILE              in an empty root, without libc and /proc, the programs of an archive of static.sh answer as this
+#                                              machine's do, certify a subject, and check; those for arm64 under qemu.
+# try_in_chroot.sh --static OUT [--arm64]      a bare system makes such an archive in the folder OUT, for arm64 by cross-compiling; then the same.
 #
 # SUITE is the name of a release, bookworm or trixie, this machine's unless given. The bare system is made by mmdebstrap from the archives of
 # this machine's apt; that needs root, their network, and some minutes. What compilers made for a SUITE is kept in ~/.cache/fathom for the
@@ -29,8 +32,13 @@ die() {
 }
 [[ $# -ge 1 ]] || usage
 own=$(. /etc/os-release && echo "$VERSION_CODENAME")
-mode=$1 suite=$own debs=''
+mode=$1 suite=$own debs='' words=()
 case $mode in
+  --static | --archive)
+    [[ $# == 2 || $# == 3 && $1$3 == --static--arm64 ]] || usage
+    place=$2 words=("${@:3}")
+    [[ $mode == --static || -f $place ]] || usage
+    ;;
   --depth | --parse | --check | --proofs | --arm64)
     shift
     if [[ ${1-} =~ ^[a-z]+$ ]]; then
@@ -47,7 +55,7 @@ case $mode in
 esac
 ((!EUID)) || die 2 "only root can make a bare system"
 unshare --pid --mount --fork true || die 3 "root may mount nothing here (in a container: --cap-add SYS_ADMIN)"
-(me=try_in_chroot.sh && . "$root/cmake/launcher.sh" && lock && start_log && install_packages chroot) || exit
+(me=try_in_chroot.sh && . "$root/cmake/launcher.sh" && lock && start_log && install_packages chroot $([[ $mode != --static && $mode != --archive ]] || echo static)) || exit
 
 mapfile -t archives < <(apt-get indextargets --no-release-info --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' |
   sort -u | sed -nE "s/ $own(-updates|-security)? / $suite\1 /p")
@@ -84,7 +92,7 @@ fi
 
 # bare_with_sources OPTIONS...: the same in $work/there, with our sources in /fathom, the network as it is here, and what was compiled before.
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/fathom/ccache-$suite
-if [[ $mode == --arm64 ]]; then cache+=-arm64; fi
+if [[ "$mode ${words[*]}" == *--arm64* ]]; then cache+=-arm64; fi
 bare_with_sources() {
   local target=$work/there
   bare "$target" "$@"
@@ -103,14 +111,14 @@ keep_compiled() {
 }
 trap 'keep_compiled; rm -rf "$work"' EXIT
 
-# same_answers PROGRAM...: the catalogues, the real cases and L0 are one stream of cases, which the program there and this machine's fathom
+# same_answers COMMAND...: the catalogues, the real cases and L0 are one stream of cases, which the program there and this machine's fathom
 # answer, with every proof. The bytes are the same, and the checker accepts each proof.
 same_answers() {
   local data=$work/there/data catalogue
   for catalogue in '' --shapes --unions; do "$root/fathom" cases $catalogue --catalogue; done >"$data/cases.jsonl"
   zstd -dcq "$root"/tests/data/golden/golden-L0-*.jsonl.zst | cat "$root/tests/data/real_cases.jsonl" - >>"$data/cases.jsonl"
   "$root/fathom" depth --json --embed-certificate - <"$data/cases.jsonl" >"$data/here.jsonl" 2>"$data/here.log"
-  inside there "$@" depth --json --embed-certificate - <"$data/cases.jsonl" >"$data/there.jsonl" 2>"$data/there.log" ||
+  "$@" depth --json --embed-certificate - <"$data/cases.jsonl" >"$data/there.jsonl" 2>"$data/there.log" ||
     die $? "the program there ended with $?: $(tail -n 3 "$data/there.log")"
   cmp "$data/here.jsonl" "$data/there.jsonl"
   cmp "$data/here.log" "$data/there.log"
@@ -144,23 +152,74 @@ parse_all() {
 }
 
 # Of what the launcher asks for, the libraries are those of arm64, but for such as are of all architectures; compilers are this machine's.
-cross_build() {
+bare_for_arm64() {
   local libraries
+  bare_with_sources --architectures=amd64,arm64 \
+    --include=crossbuild-essential-arm64,cmake,ninja-build,ccache,qemu-user,dpkg-dev,xz-utils
   mapfile -t libraries < <(. "$root/cmake/launcher.sh" && packages depth build | grep '^lib')
   inside there bash -euc 'export DEBIAN_FRONTEND=noninteractive
     apt-get -q update >/data/log
     for name; do
       if apt-cache show "$name" | grep -qx "Architecture: all"; then echo "$name"; else echo "$name:arm64"; fi
     done >/data/packages
-    xargs apt-get -qq install -y --no-install-recommends </data/packages >>/data/log 2>&1 || { tail -n 5 /data/log >&2; exit 1; }
-    cmake --preset release -S /fathom -B /data/arm64 -DFATHOM_TESTS=OFF -DFATHOM_PYTHON=OFF -DCMAKE_SYSTEM_NAME=Linux \
-      -DCMAKE_SYSTEM_PROCESSOR=aarch64 -DCMAKE_C_COMPILER=aarch64-linux-gnu-gcc -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ >>/data/log
-    ninja -C /data/arm64 --quiet fathom-check fathom-depth fathom_c' - "${libraries[@]}"
+    xargs apt-get -qq install -y --no-install-recommends </data/packages >>/data/log 2>&1 || { tail -n 5 /data/log >&2; exit 1; }' - \
+    "${libraries[@]}"
 }
+
+cross_build() {
+  inside there bash -euc 'cmake --preset release -S /fathom -B /data/arm64 -DFATHOM_TESTS=OFF -DFATHOM_PYTHON=OFF -DCMAKE_SYSTEM_NAME=Linux \
+      -DCMAKE_SYSTEM_PROCESSOR=aarch64 -DCMAKE_C_COMPILER=aarch64-linux-gnu-gcc -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ >>/data/log
+    ninja -C /data/arm64 --quiet fathom-check fathom-depth fathom_c'
+}
+
+# alone PROGRAM WORDS...: a program of the archive in a root where there is nothing else but what try_archive put there.
+alone() {
+  limited "${limit:-30m}" env -i PATH=/bin chroot "$work/empty" "${emulator[@]}" "/fathom/bin/$1" "${@:2}"
+}
+
+try_archive() {
+  local archive=$1 empty=$work/empty emulator=()
+  say "${archive##*/}: in an empty root"
+  mkdir -p "$empty/bin" "$empty/fathom" "$work/there/data"
+  tar -C "$empty/fathom" --strip-components=1 -xJf "$archive"
+  if [[ $archive == *-arm64.* ]]; then
+    emulator=(/qemu-aarch64-static)
+    cp "/usr/bin${emulator[0]}" "$empty"
+  fi
+  same_answers alone fathom
+  cp "$root/tests/data/cube.off" "$root/tests/data/icosahedron.off" "$empty"
+  cp "$root/examples/data/stairs.gltf" "$empty"
+  alone fathom depth --certificate /proof.cert /cube.off /icosahedron.off >"$work/alone"
+  "$root/fathom" depth "$root/tests/data/cube.off" "$root/tests/data/icosahedron.off" | cmp - "$work/alone"
+  alone fathom-check /proof.cert
+  say "a subject is certified: its shell is busybox"
+  cp /bin/busybox "$empty/bin/sh"
+  g++ -std=c++17 -O1 -static -I "$empty/fathom/share/fathom/kit" "$empty/fathom/share/fathom/kit/example.cpp" -o "$empty/subject"
+  alone fathom cases --family boxes_aligned --count 20 >"$empty/cases.jsonl"
+  alone fathom certify --subject /subject /cases.jsonl
+  say "no library is loaded: a file for Assimp ends with exit code 2"
+  if alone fathom depth /stairs.gltf /cube.off 2>"$work/said"; then die 1 "the static program read a file that needs a library"; else (($? == 2)); fi
+  grep -F 'built without Assimp' "$work/said"
+}
+
+if [[ $mode == --static || $mode == --archive ]]; then
+  archive=$place
+  if [[ $mode == --static ]]; then
+    say "$suite: a bare system with the sources, and the archive"
+    if ((${#words[@]})); then bare_for_arm64; else bare_with_sources; fi
+    limit=8h inside there /fathom/packaging/static.sh /data/archives "${words[@]}"
+    mkdir -p "$place"
+    cp "$work"/there/data/archives/* "$place"
+    archive=$(ls "$work"/there/data/archives/fathom-*-linux-*.tar.xz)
+  fi
+  limit=2h try_archive "$archive"
+  say "all of it works"
+  exit
+fi
 
 if [[ $mode == --arm64 ]]; then
   say "$suite: a bare system with the sources, and compilers for arm64"
-  bare_with_sources --architectures=amd64,arm64 --include=crossbuild-essential-arm64,cmake,ninja-build,ccache,qemu-user
+  bare_for_arm64
   say "$suite: fathom-check, fathom-depth and the library for C are cross-built"
   limit=8h cross_build
   limit=2h
@@ -168,7 +227,7 @@ if [[ $mode == --arm64 ]]; then
   inside there qemu-aarch64 /data/arm64/verify/check/fathom-check /data/L0.cert >"$work/there/data/checked"
   "$root/fathom" check "$work/there/data/L0.cert" | cmp - "$work/there/data/checked"
   say "arm64: the same bytes: $(wc -l <"$work/there/data/checked") verdicts on the proofs of L0"
-  same_answers qemu-aarch64 /data/arm64/fathom-depth
+  same_answers inside there qemu-aarch64 /data/arm64/fathom-depth
   inside there bash -euc 'for source in /fathom/examples/c_*.c; do
       aarch64-linux-gnu-gcc -std=c99 -I /fathom/include "$source" -o /data/example -L /data/arm64 -lfathom-c -Wl,-rpath,/data/arm64
       (cd /fathom/examples && cmake -D "PROGRAM=qemu-aarch64;/data/example" -D "SOURCE=$source" -P run.cmake)
@@ -192,12 +251,12 @@ if [[ -z $debs ]]; then
   else
     say "$suite: the launcher builds depth"
     limit=3h inside there /fathom/fathom depth /fathom/tests/data/cube.off /fathom/tests/data/icosahedron.off
-    same_answers /fathom/fathom
+    same_answers inside there /fathom/fathom
   fi
   if [[ $mode == --check ]]; then
     limit=6h
     inside there /fathom/fathom --version
-    same_answers /fathom/fathom
+    same_answers inside there /fathom/fathom
     same_l0 /fathom/fathom
     inside there /fathom/check "$@"
   fi

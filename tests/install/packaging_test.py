@@ -9,7 +9,7 @@ import subprocess
 import unittest
 
 ROOT = pathlib.Path(os.environ["FATHOM_ROOT"])
-NOT_FOR_PACKAGES = {"g++", "ccache", "python3-pytest", "python3-pip", "python3-venv"}  # the first is essential to builds
+NOT_FOR_PACKAGES = {"g++", "ccache", "python3-pytest", "python3-pip", "python3-venv", "patchelf"}  # the first is essential to builds
 
 
 def read(path):
@@ -38,6 +38,14 @@ class Packaging(unittest.TestCase):
         version = re.search(r"project\(fathom VERSION (\S+)", read("CMakeLists.txt"))[1]
         self.assertEqual(re.match(r"fathom \(1:([^)]+)\)", read("packaging/debian/changelog"))[1], version)
         self.assertIn('re.search(r"project\\(fathom VERSION', read("bindings/python/setup.py"))  # Python's is taken from there
+
+    def test_recipes(self):
+        version = re.search(r"project\(fathom VERSION (\S+)", read("CMakeLists.txt"))[1]
+        for recipe, said in (("conda-forge/meta.yaml", f'version = "{version}"'), ("vcpkg/vcpkg.json", f'"version": "{version}"'),
+                             ("vcpkg/portfile.cmake", 'FETCH_REF "v${VERSION}"'), ("homebrew/fathom.rb", f"/v{version}.tar.gz")):
+            text = read(f"packaging/{recipe}")
+            self.assertIn(said, text)
+            self.assertIn("untried", text.lower(), recipe)
 
     def test_build_dependencies(self):
         source = next(stanzas(read("packaging/debian/control")))

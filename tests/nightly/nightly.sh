@@ -6,8 +6,8 @@
 # too; then a random stream of cases of all families for 10 minutes, or as long as one likes. Every fifth case is one of unions, whose second
 # way are pairs of pieces, convex wholes and a naive search. The seed is printed; --seed and --from go on with a stream, and golden data that
 # is there already is not made again. The first difference is made small and kept as DIR/differences/difference.case.json; DIR is
-# build/nightly unless given. Builds what it needs, and makes the proofs with the Coq of Debian 13 too, unless --built names a folder with
-# the programs.
+# build/nightly unless given. Builds what it needs, makes the proofs with the Coq of Debian 13 too, and the static archives for x86-64 and
+# arm64 in DIR/archives, unless --built names a folder with the programs.
 #
 # Exit codes: 0 all agree; 1 a difference, and what was printed says where; 2 wrong arguments; 3 something that this script needs failed.
 set -u
@@ -44,6 +44,14 @@ if [[ -z $built ]]; then
     2 | 3) echo 'nightly: the proofs were not tried with the Coq of Debian 13: no bare system of it can be made here' >&2 ;;
     *) die 3 'the proofs fail with the Coq of Debian 13' ;;
   esac
+  for architecture in '' --arm64; do
+    "$root/packaging/try_in_chroot.sh" --static "$work/archives" $architecture
+    case $? in
+      0) ;;
+      2 | 3) echo 'nightly: no static archive was tried: no bare system can be made here' >&2 ;;
+      *) die 3 'a static archive cannot be made, or does not answer as fathom does' ;;
+    esac
+  done
 fi
 two_ways=$built/fathom-two-ways
 [[ -x $two_ways ]] || two_ways=$built/tests/nightly/fathom-two-ways

@@ -50,6 +50,11 @@ def read(path: Union[str, "os.PathLike[str]"]) -> List[Case]:
         return [_from_object(case) for case in json.load(file)["cases"]]
 
 
+def sample() -> List[Case]:
+    """Returns the sample of fifty cases, which lies beside this file."""
+    return read(os.path.join(os.path.dirname(os.path.abspath(__file__)), "fathom_golden_sample.json"))
+
+
 def _from_object(case):
     return Case(**{field: case[field] for field in Case._fields if field in case})._replace(squared=Fraction(case["squared"]))
 
