@@ -60,6 +60,20 @@ def run_checker(command, folder, names):
     return found
 
 
+def verdicts_of(options, folder, texts, fault):
+    """name -> what the first checker says of that text; a fault for each of which another one, which sees every share-th, says else."""
+    names = [f"f{k}" for k in range(len(texts))]
+    for name, text in zip(names, texts):
+        (pathlib.Path(folder) / name).write_bytes(text.encode())
+    first, *others = options.checker
+    found = run_checker(first, folder, names)
+    for checker in others:
+        for name, verdict in run_checker(checker, folder, names[::options.share]).items():
+            if verdict != found[name]:
+                fault(f"{first} says {found[name]}, {checker} says {verdict}", texts[int(name[1:])])
+    return found
+
+
 def statement(text):
     """What a certificate claims, as exact values: two equal ones are true together."""
     parts = Parts(text)
@@ -108,16 +122,8 @@ class Campaign:
     def judge_batch(self, batch):
         """batch: (kind, forged text, genuine text)."""
         with tempfile.TemporaryDirectory(dir="/dev/shm" if os.access("/dev/shm", os.W_OK) else None) as folder:
-            names = [f"f{k}" for k in range(len(batch))]
-            for name, (_, forged, _) in zip(names, batch):
-                (pathlib.Path(folder) / name).write_bytes(forged.encode())
-            first, *others = self.options.checker
-            verdicts = run_checker(first, folder, names)
-            for checker in others:
-                for name, found in run_checker(checker, folder, names[::self.options.share]).items():
-                    if found != verdicts[name]:
-                        self.fault(f"{first} says {verdicts[name]}, {checker} says {found}", batch[int(name[1:])][1])
-        for name, (kind, forged, genuine) in zip(names, batch):
+            verdicts = verdicts_of(self.options, folder, [forged for _, forged, _ in batch], self.fault)
+        for name, (kind, forged, genuine) in zip(verdicts, batch):
             self.kinds[kind] += 1
             self.outcomes[max(verdicts[name], key=lambda v: EXIT[v.split()[0]], default="none").split()[0]] += 1
             if any(verdict.startswith("VERIFIED") for verdict in verdicts[name]):

@@ -298,16 +298,9 @@ class Campaign:
 
     def judge(self, batch):
         """batch: (kind, tiling, whether it must be accepted; None: nobody knows)."""
-        names, texts = [f"f{k}" for k in range(len(batch))], [t.text() for _, t, _ in batch]
-        for name, text in zip(names, texts):
-            (self.folder / name).write_text(text)
-        first, *others = self.options.checker
-        found = forgeries.run_checker(first, self.folder, names)
-        for checker in others:
-            for name, verdict in forgeries.run_checker(checker, self.folder, names[::self.options.share]).items():
-                if verdict != found[name]:
-                    self.fault(f"{first} says {found[name]}, {checker} says {verdict}", texts[int(name[1:])])
-        for (kind, t, expected), name, text in zip(batch, names, texts):
+        texts = [t.text() for _, t, _ in batch]
+        found = forgeries.verdicts_of(self.options, self.folder, texts, self.fault)
+        for (kind, t, expected), name, text in zip(batch, found, texts):
             accepted = found[name] == (f"VERIFIED solid triangles={len(t.mesh)} pieces={len(t.pieces)}",)
             self.tries[kind] += 1
             self.accepted[kind] += accepted

@@ -243,16 +243,8 @@ class Campaign:
 
     def judge(self, batch):
         """batch: (kind, text, whether it is genuine; None: nobody knows)."""
-        names = [f"f{k}" for k in range(len(batch))]
-        for name, (_, text, _) in zip(names, batch):
-            (self.folder / name).write_text(text)
-        first, *others = self.options.checker
-        found = forgeries.run_checker(first, self.folder, names)
-        for checker in others:
-            for name, verdict in forgeries.run_checker(checker, self.folder, names[::self.options.share]).items():
-                if verdict != found[name]:
-                    self.fault(f"{first} says {found[name]}, {checker} says {verdict}", batch[int(name[1:])][1])
-        for name, (kind, text, genuine) in zip(names, batch):
+        found = forgeries.verdicts_of(self.options, self.folder, [text for _, text, _ in batch], self.fault)
+        for name, (kind, text, genuine) in zip(found, batch):
             self.kinds[kind.split(":")[0] if genuine is not None else kind] += 1
             verdict = found[name][0] if len(found[name]) == 1 else "several"
             self.verdicts[verdict.split()[0]] += 1
