@@ -87,3 +87,17 @@ export function randomDirection(random) {
 }
 
 export const distance = (p, q) => Math.hypot(...p.map((x, i) => x - q[i]));
+
+/** A body of one edge between two facets with these normals. */
+export const wedge = (from, to, more = {}) => ({
+  rank: 3,
+  vertices: [
+    [0, 0, 0],
+    [0, 0, 1],
+  ],
+  edges: [[0, 1]],
+  nodes: [from, to],
+  arcs: [[0, 1]],
+  arcs_of: "B",
+  ...more,
+});

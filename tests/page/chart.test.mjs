@@ -27,22 +27,11 @@ import {
 } from "../../view/page/web/chartpainter.js";
 import { crossingsSentence } from "../../view/page/web/chartparts.js";
 import { hemisphereOfChoice, liesBelow, litArcs, litInDiagrams } from "../../view/page/web/lit.js";
-import { cubes, lowerFrame, pair, randomDirection, randomNumbers, upperFrame } from "./bodies.mjs";
+import { cubes, lowerFrame, pair, randomDirection, randomNumbers, upperFrame, wedge } from "./bodies.mjs";
 
 const upper = chartAxes(upperFrame),
   lower = chartAxes(lowerFrame);
 const near = (p, q, by = 1e-9) => p.forEach((x, i) => assert.ok(Math.abs(x - q[i]) <= by, `${p} is not ${q}`));
-const wedge = (from, to) => ({
-  rank: 3,
-  vertices: [
-    [0, 0, 0],
-    [0, 0, 1],
-  ],
-  edges: [[0, 1]],
-  nodes: [from, to],
-  arcs: [[0, 1]],
-  arcs_of: "B",
-});
 const none = { pair: null, facet: null, coincidence: null };
 
 test("longitude is atan2(x, z), latitude asin(y); the lower chart is seen from outside", () => {

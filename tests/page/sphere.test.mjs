@@ -13,21 +13,7 @@ import {
   stripOnSphere,
   wallOnSphere,
 } from "../../view/page/web/spheregeometry.js";
-import { cube, cubes, distance, lowerFrame, pair, randomDirection, randomNumbers, upperFrame } from "./bodies.mjs";
-
-/** A body of one edge between two facets with these normals. */
-const wedge = (from, to, more = {}) => ({
-  rank: 3,
-  vertices: [
-    [0, 0, 0],
-    [0, 0, 1],
-  ],
-  edges: [[0, 1]],
-  nodes: [from, to],
-  arcs: [[0, 1]],
-  arcs_of: "B",
-  ...more,
-});
+import { cube, cubes, distance, lowerFrame, pair, randomDirection, randomNumbers, upperFrame, wedge } from "./bodies.mjs";
 
 test("an arc is the shorter way between its nodes, on the unit sphere", () => {
   const random = randomNumbers(1);
