@@ -2,13 +2,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What can be said of the Debian packages without building them: versions agree, what the build needs is asked for, the scripts are
 bash."""
+import fnmatch
 import os
 import pathlib
 import re
 import subprocess
+import sys
 import unittest
 
 ROOT = pathlib.Path(os.environ["FATHOM_ROOT"])
+sys.path.insert(0, str(ROOT / "tests/layers"))
+import layers  # noqa: E402
+
 NOT_FOR_PACKAGES = {"g++", "ccache", "python3-pytest", "python3-pip", "python3-venv", "patchelf"}  # the first is essential to builds
 
 
@@ -71,6 +76,18 @@ class Packaging(unittest.TestCase):
         for stanza in stanzas(read("packaging/debian/copyright")):
             for pattern in stanza.get("Files", "").split():
                 self.assertTrue(list(ROOT.glob(pattern)), pattern)
+
+    def test_files_name_the_licence_that_the_list_gives_them(self):
+        listed = [(pattern, stanza["License"]) for stanza in stanzas(read("packaging/debian/copyright")) for pattern in stanza.get("Files", "").split()]
+        named = {}
+        for path in layers.files(ROOT):
+            with open(ROOT / path, "rb") as file:
+                opening = b"".join(file.readline(200) for _ in range(3)).decode(errors="replace")
+            if found := re.search(r"^\W*(?:comment\W+)?SPDX-License-Identifier: ([\w.-]*\w)", opening, re.MULTILINE):
+                named[path.as_posix()] = found[1]
+        self.assertGreater(len(named), 100)
+        given = {path: [theirs for pattern, theirs in listed if fnmatch.fnmatch(path, pattern)][-1] for path in named}  # the last one
+        self.assertEqual({path: licence for path, licence in named.items() if licence.replace("-3.0-or-later", "-3+") != given[path]}, {})
 
     def test_scripts_are_bash(self):
         scripts = sorted((ROOT / "packaging").glob("*.sh"))
