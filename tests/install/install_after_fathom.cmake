@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs from a build folder where only the target fathom was built, as ./fathom leaves it; and before, from one where nothing can be
-# built. BUILD is a folder of this test's own, beside the build folder: at the same depth ccache knows what was compiled there.
+# built. BUILD is a folder of this test's own, beside the build folder: at the same depth, and by the same preset, ccache knows what was
+# compiled there.
 # cmake -D SOURCE=... -D BUILD=... -D WORK=... -D CXX=... -P install_after_fathom.cmake
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -17,8 +18,7 @@ function(run_well)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK} ${BUILD})
-set(configure ${CMAKE_COMMAND} -G Ninja -S ${SOURCE} -B ${BUILD} -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CXX}
-  "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG" -DFATHOM_TESTS=OFF)
+set(configure ${CMAKE_COMMAND} --preset release -S ${SOURCE} -B ${BUILD} -DCMAKE_CXX_COMPILER=${CXX} -DFATHOM_TESTS=OFF)
 
 # Law: where building fails nothing is installed.
 run_well(${configure} -DCMAKE_CXX_COMPILER_LAUNCHER=false)
