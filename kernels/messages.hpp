@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words in messages: untrusted bytes of users made printable, misspelt words found, things counted.
+// Words in messages: untrusted bytes of users made printable, misspelt words found, things counted;
+// and the sentences on laws that a value breaks.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace fathom::kernels {
 
@@ -36,5 +40,22 @@ bool is_near(std::string_view text, std::string_view word);
 /// For each known field that is missing, names the first unknown field near it: "the field 'depht'
 /// is not read: is 'depth' meant?". Several are joined by "; ". Empty if there is none.
 std::string near_misses(std::span<const std::string> there, std::span<const std::string_view> known);
+
+/// What `validate` found: empty when every law holds, else one sentence per broken law.
+struct Report {
+  std::vector<std::string> faults;
+
+  [[nodiscard]] bool ok() const { return faults.empty(); }
+  /// Records `fault` unless `holds`. Returns `holds`.
+  bool expect(bool holds, std::string fault) {
+    if (!holds) faults.push_back(std::move(fault));
+    return holds;
+  }
+};
+
+/// Throws std::logic_error with the first fault, if there is one.
+inline void insist(const Report& report) {
+  if (!report.ok()) throw std::logic_error("broken law: " + report.faults.front());
+}
 
 }  // namespace fathom::kernels

@@ -26,7 +26,6 @@
 #include "reference/approximate/shallow.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "tests/c/handles.hpp"
-#include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/polytope_pairs.hpp"
 #include "verify/families/solids.hpp"

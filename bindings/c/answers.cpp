@@ -18,7 +18,7 @@
 #include "fathom/overlap.hpp"
 #include "fathom/prepared.hpp"
 #include "kernels/number/irrational.hpp"
-#include "reference/files/case_json.hpp"
+#include "reference/files/cases.hpp"
 #include "reference/output/answer_json.hpp"
 #include "reference/rounded/coordinates.hpp"
 #include "verify/check/cases.hpp"

@@ -66,7 +66,7 @@ struct Option {
 /// command are in the order of its help.
 std::span<const Option> common_options();
 
-/// The options of `golden` and its tasks, from golden_options.cpp, which is not part of
+/// The options of `golden` and its tasks, from cli/commands/golden.cpp, which is not part of
 /// fathom-depth.
 std::span<const Option> golden_options();
 

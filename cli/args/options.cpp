@@ -9,7 +9,7 @@
 #include "cli/args/arguments.hpp"
 #include "cli/args/values.hpp"
 #include "verify/harness/variants.hpp"
-#include "verify/judge/words.hpp"
+#include "verify/judge/truth.hpp"
 
 namespace fathom::cli {
 namespace {

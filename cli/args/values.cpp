@@ -15,7 +15,7 @@
 #include "reference/files/file_io.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/solve/depth.hpp"
-#include "verify/judge/words.hpp"
+#include "verify/judge/truth.hpp"
 
 namespace fathom::cli {
 namespace {

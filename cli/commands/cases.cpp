@@ -2,6 +2,8 @@
 // fathom cases --family NAME|all | --catalogue | --small-world N | --list | --from A B |
 // --from-fcl FILE
 
+#include "reference/files/cases.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fnmatch.h>
@@ -21,10 +23,7 @@
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"
-#include "reference/files/case_json.hpp"
-#include "reference/files/fcl_text.hpp"
 #include "reference/files/file_io.hpp"
-#include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/polytope_pairs.hpp"
 

@@ -29,10 +29,9 @@
 #include "cli/commands/command.hpp"
 #include "cli/commands/names.hpp"
 #include "cli/io/case_stream.hpp"
-#include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
-#include "cli/output/answer_output.hpp"
+#include "cli/output/text_rows.hpp"
 #include "fathom/certificate.hpp"
 #include "fathom/files.hpp"
 #include "fathom/union.hpp"
@@ -46,7 +45,7 @@
 #include "verify/harness/seen_case.hpp"
 #include "verify/harness/two_ways.hpp"
 #include "verify/harness/variants.hpp"
-#include "verify/judge/words.hpp"
+#include "verify/judge/truth.hpp"
 
 namespace fathom::cli {
 

@@ -18,8 +18,7 @@
 #include "verify/harness/examiner.hpp"
 #include "verify/harness/journal.hpp"
 #include "verify/harness/outcome.hpp"
-#include "verify/harness/report/junit.hpp"
-#include "verify/harness/report/text.hpp"
+#include "verify/harness/report/reports.hpp"
 #include "verify/harness/two_ways.hpp"
 
 namespace fathom::cli {

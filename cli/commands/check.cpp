@@ -19,7 +19,6 @@
 #include "cli/args/help.hpp"
 #include "cli/args/values.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/io/in_order.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/process.hpp"
 #include "kernels/messages.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/commands/replies.hpp"
-#include "cli/output/answer_output.hpp"
+#include "cli/output/text_rows.hpp"
 #include "fathom/patch.hpp"
 #include "reference/text/json.hpp"
 #include "view/plot/plot.hpp"

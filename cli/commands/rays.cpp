@@ -20,7 +20,6 @@
 #include "cli/commands/depth.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/io/output.hpp"
-#include "cli/output/answer_output.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/approximate.hpp"
 #include "fathom/files.hpp"

@@ -10,8 +10,8 @@
 
 #include "cli/args/values.hpp"
 #include "cli/io/case_stream.hpp"
-#include "cli/io/in_order.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/process.hpp"
 #include "cli/io/progress.hpp"
 #include "fathom/files.hpp"
 #include "fathom/solid.hpp"

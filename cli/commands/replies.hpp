@@ -12,7 +12,6 @@
 
 #include "cli/args/arguments.hpp"
 #include "cli/io/case_stream.hpp"
-#include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
 #include "fathom/files.hpp"
 #include "fathom/shape.hpp"

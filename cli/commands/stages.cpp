@@ -14,7 +14,6 @@
 
 #include "cli/commands/command.hpp"
 #include "cli/commands/replies.hpp"
-#include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
 #include "cli/output/study_output.hpp"
 #include "cli/output/text_rows.hpp"

@@ -26,7 +26,6 @@
 #include "cli/commands/explain.hpp"
 #include "cli/commands/names.hpp"
 #include "cli/commands/replies.hpp"
-#include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
 #include "cli/output/study_output.hpp"

@@ -25,8 +25,8 @@
 #include <system_error>
 #include <vector>
 
-#include "cli/io/in_order.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/process.hpp"
 #include "cli/io/progress.hpp"
 #include "fathom/files.hpp"
 #include "kernels/context.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // First the parts of an answer, for bodies of any kinds; then the three forms that arrange them:
 // several lines, one line, and the text below a picture.
-#include "cli/output/answer_output.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/context.hpp"
 #include "kernels/number/irrational.hpp"

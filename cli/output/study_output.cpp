@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "cli/io/output.hpp"
-#include "cli/output/answer_output.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"

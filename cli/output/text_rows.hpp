@@ -8,17 +8,21 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "cli/args/arguments.hpp"
+#include "cli/output/text_rows.hpp"
 #include "fathom/depth.hpp"
+#include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
 #include "fathom/signed_depth.hpp"
 #include "kernels/vector.hpp"
 #include "reference/output/answer_json.hpp"
 #include "reference/output/json_values.hpp"
 #include "reference/rounded/coordinates.hpp"
+#include "view/picture/scene.hpp"
 
 namespace fathom::cli {
 
@@ -128,5 +132,26 @@ std::string enclosure_text(const Enclosure& enclosure);
 inline std::string enclosure_text(const mpq_class& squared, unsigned digits) {
   return enclosure_text(enclose_root(squared, digits));
 }
+
+// The exact answer to a case, for bodies of any kinds, in the requested form.
+//                                                                            [docs/command_line.md]
+
+using output::AboutBodies;
+using output::AnsweredCase;
+using text::Json;
+
+/// Returns several lines, without the last newline.
+std::string answer_block(const AnsweredCase& answered, const AnswerForm& form);
+
+/// Returns one line, which begins with the id, without its newline.
+std::string answer_line(const AnsweredCase& answered, const AnswerForm& form);
+
+/// Returns the scene of two bodies and their answer, which must be complete; with their patches, if
+/// requested.
+picture::PairScene answer_scene(const Case& bodies, const AnsweredCase& answered, const AnswerForm& form);
+
+/// Returns an SVG file of the case and its answer, which must be complete, with the answer's
+/// numbers as text below.
+std::string answer_picture(const Case& bodies, const AnsweredCase& answered, const AnswerForm& form);
 
 }  // namespace fathom::cli

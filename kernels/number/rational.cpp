@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +12,6 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include "fathom/numbers.hpp"
@@ -300,33 +298,6 @@ Roundings roundings_of_root(const mpq_class& squared) {
   return sgn(squared) == 0 ? Roundings{} : roundings_of(cut_root(squared, binary64));
 }
 
-void append_hex(double value, std::string& text) {
-  constexpr int fraction_bits = 52, bias = 1023;
-  const std::uint64_t bits = std::bit_cast<std::uint64_t>(value);
-  std::uint64_t fraction = bits & ((std::uint64_t{1} << fraction_bits) - 1);
-  const int biased = static_cast<int>(bits >> fraction_bits) & 0x7ff;
-  if (biased == 0x7ff && fraction != 0) {
-    text += "nan";
-    return;
-  }
-  std::array<char, 32> digits;
-  char* at = digits.data();
-  const auto put = [&at](std::string_view part) { at = std::copy(part.begin(), part.end(), at); };
-  if (bits >> 63 != 0) *at++ = '-';
-  if (biased == 0x7ff) put("inf");
-  else if (biased == 0 && fraction == 0) put("0x0p+0");
-  else {
-    put(biased == 0 ? "0x0" : "0x1");
-    if (fraction != 0) *at++ = '.';
-    for (; fraction != 0; fraction = (fraction << 4) & ((std::uint64_t{1} << fraction_bits) - 1))
-      *at++ = "0123456789abcdef"[fraction >> (fraction_bits - 4)];
-    const int exponent = biased == 0 ? 1 - bias : biased - bias;
-    put(exponent < 0 ? "p" : "p+");
-    at = std::to_chars(at, digits.data() + digits.size(), exponent).ptr;
-  }
-  text.append(digits.data(), at);
-}
-
 }  // namespace fathom::kernels
 
 namespace fathom {
@@ -349,12 +320,6 @@ double root_binary64(const mpq_class& squared, Rounding mode) {
 float root_binary32(const mpq_class& squared, Rounding mode) {
   const kernels::DefaultFloatEnvironment environment;
   return static_cast<float>(kernels::round_root(squared, kernels::binary32, mode));
-}
-
-std::string hex_text(double value) {
-  std::string text;
-  kernels::append_hex(value, text);
-  return text;
 }
 
 }  // namespace fathom

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -110,7 +109,7 @@ constexpr Rounding mirrored(Rounding mode) {
   return mode == Rounding::rd ? Rounding::ru : mode == Rounding::ru ? Rounding::rd : Rounding::rn;
 }
 
-// All roundings of one number at once, and numbers in hexadecimal, for results that print them.
+// All roundings of one number at once, for results that print them.
 
 template <class Float>
 struct EveryMode {
@@ -130,12 +129,5 @@ Roundings roundings(const mpq_class& value);
 /// Returns what root_binary64 and root_binary32, the naive twins, say in each mode, by one division
 /// and one integer root. Throws std::domain_error if `squared` is negative.
 Roundings roundings_of_root(const mpq_class& squared);
-
-/// Appends the decimal digits to `text`, and exact_text(value).
-void append_digits(mpz_srcptr n, std::string& text);
-void append_exact(const mpq_class& value, std::string& text);
-
-/// Appends hex_text(value) to `text`.
-void append_hex(double value, std::string& text);
 
 }  // namespace fathom::kernels

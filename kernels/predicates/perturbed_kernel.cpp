@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The members of the traits classes, and nothing else: a program that defines them itself, to
 // record what is asked, gets by without this.
-#include "kernels/predicates/perturbed_kernel_cgal.hpp"
+#include "kernels/predicates/kernels_cgal.hpp"
 
 namespace fathom::kernels {
 

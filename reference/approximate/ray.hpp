@@ -13,7 +13,7 @@
 #include "fathom/approximate.hpp"
 #include "fathom/depth.hpp"
 #include "kernels/context.hpp"
-#include "kernels/report.hpp"
+#include "kernels/messages.hpp"
 #include "kernels/vector.hpp"
 #include "reference/depth/apart.hpp"
 #include "reference/polytope/hierarchy.hpp"

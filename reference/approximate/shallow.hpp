@@ -15,8 +15,8 @@
 
 #include "fathom/approximate.hpp"
 #include "kernels/context.hpp"
+#include "kernels/messages.hpp"
 #include "kernels/nearest.hpp"
-#include "kernels/report.hpp"
 #include "kernels/vector.hpp"
 #include "reference/approximate/ray.hpp"
 #include "reference/approximate/shallow_surface.hpp"

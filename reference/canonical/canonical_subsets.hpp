@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "kernels/context.hpp"
-#include "kernels/report.hpp"
+#include "kernels/messages.hpp"
 #include "reference/chart/chart.hpp"
 
 namespace fathom::canonical {

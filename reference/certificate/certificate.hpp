@@ -21,9 +21,9 @@
 #include "fathom/certificate.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/number/decimal.hpp"
+#include "kernels/messages.hpp"
 #include "kernels/number/rational.hpp"
-#include "kernels/report.hpp"
+#include "kernels/number/text.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::certificate {

@@ -9,9 +9,9 @@
 #pragma once
 
 #include "kernels/context.hpp"
+#include "kernels/messages.hpp"
 #include "kernels/predicates/direction.hpp"
 #include "kernels/predicates/perturbed_kernel.hpp"
-#include "kernels/report.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 
 namespace fathom::chart {

@@ -14,7 +14,7 @@
 #include "fathom/shape.hpp"
 #include "fathom/signed_depth.hpp"
 #include "kernels/context.hpp"
-#include "kernels/report.hpp"
+#include "kernels/messages.hpp"
 #include "reference/shapes/core.hpp"
 
 namespace fathom::curved {

@@ -14,7 +14,6 @@
 #include "fathom/depth.hpp"
 #include "kernels/filters/plane.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "reference/polytope/polygon.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::depth {

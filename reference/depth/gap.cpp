@@ -13,7 +13,7 @@
 #include "reference/expanding/expander.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "reference/polytope/polygon.hpp"
+#include "reference/polytope/polytope.hpp"
 
 namespace fathom::depth {
 namespace {

@@ -19,8 +19,8 @@
 #include "fathom/depth.hpp"
 #include "kernels/context.hpp"
 #include "kernels/filters/support.hpp"
+#include "kernels/messages.hpp"
 #include "kernels/nearest.hpp"
-#include "kernels/report.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/lattice.hpp"
 

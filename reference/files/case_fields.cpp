@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "kernels/messages.hpp"
-#include "reference/files/case_json.hpp"
+#include "reference/files/cases.hpp"
 #include "reference/files/shape_names.hpp"
 
 namespace fathom::files {

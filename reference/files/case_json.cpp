@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/files/case_json.hpp"
-
 #include <array>
 #include <span>
 #include <stdexcept>
 
 #include "fathom/solid.hpp"
+#include "reference/files/cases.hpp"
 #include "reference/files/mesh_formats.hpp"
 
 namespace fathom::files {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The texts of cases, one after another from a stream, not yet read: to find where a case ends is
+// Cases as texts: read one after another from a stream, and written. To find where a case ends is
 // little work beside reading it, so that one thread can hand out texts to many.
 #pragma once
 
@@ -8,10 +8,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "fathom/files.hpp"
 #include "reference/files/case_fields.hpp"
 #include "reference/files/file_io.hpp"
+#include "reference/files/pose.hpp"
+#include "reference/files/shape_names.hpp"
+#include "reference/text/json.hpp"
 
 namespace fathom::files {
 
@@ -62,5 +68,62 @@ class UnreadCases {
   std::optional<std::string> pending_;
   bool any_ = false, finished_ = false;
 };
+
+// Cases and their bodies as JSON, with every number exact for every reader.
+//                                                                        [case.schema.json]
+
+/// The name of the schema of a case, as each case may say it.
+inline constexpr std::string_view case_schema = "fathom/case/1";
+
+/// Whether fields with their default values (axis z, identity pose) are written.
+enum class Defaults { left_out, written };
+
+/// A body by its words if it has some, else by its vertices, which are placed if there is a pose.
+/// Throws std::invalid_argument for a shape that is no polytope and has no words.
+text::Json body_json(const Body& body, const std::optional<Pose>& pose = std::nullopt);
+/// By its vertices, with the pose as it was given: a matrix, or a quaternion and a translation.
+text::Json body_json(const Body& body, const GivenPose& pose);
+text::Json body_json(const NamedBody& body, Defaults defaults = Defaults::left_out);
+text::Json motion_json(const Motion& motion);
+
+/// A case to be written. Empty fields are left out.
+struct CaseText {
+  std::string id;
+  text::Json a, b;
+  std::vector<std::pair<std::string, std::string>> source;  ///< keys, which need no escapes, and texts
+  std::string comment;
+  bool pose_rounding = false;  ///< whether readers round the placed points once to binary64
+  std::optional<Motion> motion = {};
+  bool plane = false;  ///< the bodies are of the plane
+};
+
+/// One line of pure ASCII, without its newline.
+std::string case_json(const CaseText& text);
+std::string case_json(const Case& pair, const std::string& comment = "");
+
+// The text of the exception that FCL throws when its signed distance fails ("Error with
+// configuration"): two shapes and their poses.
+
+/// A shape in its own frame, and where it stands.
+struct FclShape {
+  Body body;
+  Pose pose;
+};
+
+/// One failure.
+struct FclFailure {
+  std::size_t line = 0;  ///< where "Shape 1" stands
+  FclShape first, second;
+  std::string message;  ///< FCL's own, on one line; may be empty
+};
+
+/// Returns every failure in a log, in order. Skips lines of other programs between them, and what
+/// stands before "Shape 1:" on a line. Reads both spellings: that of FCL 0.6 and 0.7 ("Shape 1:
+/// Box0.5 0.5 0.5", matrices in columns) and the later one ("Box<double>(0.5, 0.5, 0.5);", matrices
+/// with commas). Boxes and Convex with their points are bodies; decimals mean the nearest binary64.
+/// Throws InputError with file, line and what was expected: another shape (a sphere is not a
+/// polytope), a Convex printed without its points, a bad number, a last row that is not 0 0 0 1, or
+/// no failure in the text at all.
+std::vector<FclFailure> read_fcl_text(std::string_view text, const std::string& name);
 
 }  // namespace fathom::files

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/files/fcl_text.hpp"
-
 #include <algorithm>
 #include <utility>
 
 #include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"
+#include "reference/files/cases.hpp"
 #include "reference/files/mesh_formats.hpp"
 
 namespace fathom::files {

@@ -16,7 +16,7 @@
 #include "fathom/solid.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/messages.hpp"
-#include "kernels/number/parse.hpp"
+#include "kernels/number/text.hpp"
 #include "reference/files/file_io.hpp"
 #include "reference/files/mesh_formats.hpp"
 

@@ -13,10 +13,10 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/parse.hpp"
 #include "kernels/number/rational.hpp"
+#include "kernels/number/text.hpp"
 #include "reference/files/case_fields.hpp"
-#include "reference/files/case_json.hpp"
+#include "reference/files/cases.hpp"
 #include "reference/files/mesh_formats.hpp"
 
 namespace fathom::files {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "kernels/id.hpp"
+#include "kernels/messages.hpp"
 #include "kernels/predicates/direction.hpp"
 #include "kernels/predicates/perturbed_kernel.hpp"
-#include "kernels/report.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::gaussian {

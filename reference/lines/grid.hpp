@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "kernels/filters/line_filter.hpp"
+#include "kernels/messages.hpp"
 #include "kernels/nearest.hpp"
-#include "kernels/report.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"

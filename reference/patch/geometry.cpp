@@ -190,7 +190,7 @@ ContactGeometry of_shapes(const Body& a, const Body& b, const SignedDepth& shape
 
 /// The weights of the body's points in a face that make up the point p, which lies inside the least
 /// face `on`; nullopt unless there is one way alone.
-std::optional<std::vector<Weight>> only_weights(kernels::Positions body, const Vector& u,
+std::optional<std::vector<Weight>> only_weights(polytope::Positions body, const Vector& u,
                                                 const std::vector<std::uint32_t>& on, const Point& p) {
   if (on.empty()) return std::vector<Weight>();
   if (on.size() > 3) return std::nullopt;
@@ -223,7 +223,7 @@ std::optional<std::vector<RoundedWitness>> with_slack(const Body& a, const Body&
   return corners;
 }
 
-std::vector<Weight> weights_in(kernels::Positions body, const std::vector<std::uint32_t>& corners, const Point& p) {
+std::vector<Weight> weights_in(polytope::Positions body, const std::vector<std::uint32_t>& corners, const Point& p) {
   const Point& first = body[corners[0]];
   if (corners.size() == 1) return {{corners[0], 1}};
   const auto kept = [](std::vector<Weight> weights) {

@@ -14,7 +14,7 @@
 #include "kernels/number/word_integer.hpp"
 #include "kernels/vector.hpp"
 #include "reference/depth/contact.hpp"
-#include "reference/polytope/polygon.hpp"
+#include "reference/polytope/polytope.hpp"
 
 namespace fathom::patch {
 

@@ -15,11 +15,11 @@
 
 #include "fathom/body.hpp"
 #include "fathom/patch.hpp"
+#include "kernels/messages.hpp"
 #include "kernels/number/rational.hpp"
-#include "kernels/positions.hpp"
-#include "kernels/report.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/lattice.hpp"
+#include "reference/polytope/points.hpp"
 
 namespace fathom::patch {
 
@@ -85,7 +85,7 @@ std::optional<std::vector<RoundedWitness>> with_slack(const Body& a, const Body&
 /// The weights, ascending and none 0, of the point p in a polygon, segment or point with these
 /// corners, in order: of a polygon those in a triangle at the first corner. Throws std::logic_error
 /// if p is not in it.
-std::vector<Weight> weights_in(kernels::Positions body, const std::vector<std::uint32_t>& corners, const Point& p);
+std::vector<Weight> weights_in(polytope::Positions body, const std::vector<std::uint32_t>& corners, const Point& p);
 
 /// Points over one denominator > 0.
 template <class Integer>

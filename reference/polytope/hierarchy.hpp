@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "kernels/filters/support.hpp"
-#include "kernels/report.hpp"
+#include "kernels/messages.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/polytope.hpp"
 

@@ -54,8 +54,8 @@ class Asking {
 
 /// Until f(coordinate) is false; tells whether it never was.
 template <class F>
-bool all_coordinates(kernels::Positions a, kernels::Positions b, F f) {
-  for (const kernels::Positions body : {a, b}) {
+bool all_coordinates(polytope::Positions a, polytope::Positions b, F f) {
+  for (const polytope::Positions body : {a, b}) {
     for (const Point& p : body)
       if (!f(p.x) || !f(p.y) || !f(p.z)) return false;
   }
@@ -63,7 +63,7 @@ bool all_coordinates(kernels::Positions a, kernels::Positions b, F f) {
 }
 
 /// The most bits that a common denominator in proportion to the coordinates has.
-std::size_t in_proportion(kernels::Positions a, kernels::Positions b) {
+std::size_t in_proportion(polytope::Positions a, polytope::Positions b) {
   std::size_t widest = 0;
   all_coordinates(a, b, [&](const mpq_class& q) {
     widest = std::max({widest, bits(q.get_num()), bits(q.get_den())});
@@ -75,7 +75,7 @@ std::size_t in_proportion(kernels::Positions a, kernels::Positions b) {
 /// The common denominator; 0 as soon as more(its bits) is false. Denominators repeat a great deal,
 /// so divisibility is asked first.
 template <class More>
-mpz_class common_denominator(kernels::Positions a, kernels::Positions b, Asking& asking, More more) {
+mpz_class common_denominator(polytope::Positions a, polytope::Positions b, Asking& asking, More more) {
   mpz_class common = 1;
   const bool all = all_coordinates(a, b, [&](const mpq_class& q) {
     asking.after(q);
@@ -105,7 +105,7 @@ class Multiples {
   mpz_class of_ = 1, factor_;
 };
 
-std::vector<Vector> shifted_multiples(kernels::Positions body, const mpz_class& denominator, const Vector& origin,
+std::vector<Vector> shifted_multiples(polytope::Positions body, const mpz_class& denominator, const Vector& origin,
                                       Asking& asking) {
   std::vector<Vector> result;
   result.reserve(body.size());
@@ -141,7 +141,7 @@ void coarsen(mpz_class& denominator, std::vector<Vector>& a, std::vector<Vector>
   for_each_coordinate([&](mpz_ptr c) { mpz_divexact(c, c, shared.get_mpz_t()); });
 }
 
-std::vector<Point> offsets(kernels::Positions body, const Point& origin, Asking& asking) {
+std::vector<Point> offsets(polytope::Positions body, const Point& origin, Asking& asking) {
   std::vector<Point> result;
   result.reserve(body.size());
   for (const Point& p : body) {
@@ -182,7 +182,7 @@ class LowestTerms {
   std::vector<mpq_class> long_;  // products of numerators, over their denominator
 };
 
-void require_bodies(kernels::Positions a, kernels::Positions b, Asking& asking) {
+void require_bodies(polytope::Positions a, polytope::Positions b, Asking& asking) {
   if (a.empty() || b.empty()) throw std::invalid_argument("a body needs at least one point");
   LowestTerms terms;
   all_coordinates(a, b, [&](const mpq_class& q) {
@@ -195,7 +195,7 @@ void require_bodies(kernels::Positions a, kernels::Positions b, Asking& asking) 
 
 /// For points whose common denominator is much longer than they are: what differences do not need
 /// is left out first, and there are limits.
-PlacedPair place_wide(kernels::Positions a, kernels::Positions b, Asking& asking) {
+PlacedPair place_wide(polytope::Positions a, polytope::Positions b, Asking& asking) {
   const Point& origin = b.front();
   const std::vector<Point> from_a = offsets(a, origin, asking), from_b = offsets(b, origin, asking);
   const std::uint64_t coordinates = 3 * (a.size() + b.size());
@@ -215,12 +215,12 @@ PlacedPair place_wide(kernels::Positions a, kernels::Positions b, Asking& asking
 
 }  // namespace
 
-void require_bodies(kernels::Positions a, kernels::Positions b) {
+void require_bodies(polytope::Positions a, polytope::Positions b) {
   Asking nobody(nullptr);
   require_bodies(a, b, nobody);
 }
 
-std::optional<PlacedPair> place_if_slim(kernels::Positions a, kernels::Positions b, kernels::Context* context) {
+std::optional<PlacedPair> place_if_slim(polytope::Positions a, polytope::Positions b, kernels::Context* context) {
   Asking asking(context);
   require_bodies(a, b, asking);
   std::size_t limit = short_enough;
@@ -236,7 +236,7 @@ std::optional<PlacedPair> place_if_slim(kernels::Positions a, kernels::Positions
   return place_integers(std::move(of_a), std::move(of_b), std::move(denominator), b.front());
 }
 
-PlacedPair place(kernels::Positions a, kernels::Positions b, kernels::Context* context) {
+PlacedPair place(polytope::Positions a, polytope::Positions b, kernels::Context* context) {
   if (std::optional<PlacedPair> slim = place_if_slim(a, b, context)) return std::move(*slim);
   Asking asking(context);
   return place_wide(a, b, asking);

@@ -25,12 +25,11 @@
 #include "fathom/point.hpp"
 #include "kernels/context.hpp"
 #include "kernels/filters/support.hpp"
+#include "kernels/messages.hpp"
 #include "kernels/number/fixed_integer.hpp"
 #include "kernels/number/lazy_integer.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/number/word_integer.hpp"
-#include "kernels/positions.hpp"
-#include "kernels/report.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/points.hpp"
 
@@ -311,7 +310,7 @@ using PlacedPair = PlacedPairIn<mpz_class>;
 
 /// Throws std::invalid_argument when a body is empty or a coordinate is not in lowest terms over a
 /// positive denominator.
-void require_bodies(kernels::Positions a, kernels::Positions b);
+void require_bodies(polytope::Positions a, polytope::Positions b);
 
 /// On the lattice with the least denominator for which all points, taken from the first point of B,
 /// are integral; b[0] is zero. Exact. The unit is never coarser than 1: a factor that all integers
@@ -319,12 +318,12 @@ void require_bodies(kernels::Positions a, kernels::Positions b);
 /// times their extent. Throws as require_bodies does, and InputError when place_if_slim returns
 /// nullopt and all integers together would take more than 256 MB. The context, if there is one, is
 /// asked once in a megabit of coordinates whether to go on.
-PlacedPair place(kernels::Positions a, kernels::Positions b, kernels::Context* context = nullptr);
+PlacedPair place(polytope::Positions a, polytope::Positions b, kernels::Context* context = nullptr);
 
 /// The same, if the common denominator is in proportion to the points: it has at most 4096 bits, or
 /// eight times as many as the widest coordinate. Returns nullopt otherwise: the points'
 /// denominators share little, and fewer points would have a smaller lattice.
-std::optional<PlacedPair> place_if_slim(kernels::Positions a, kernels::Positions b,
+std::optional<PlacedPair> place_if_slim(polytope::Positions a, polytope::Positions b,
                                         kernels::Context* context = nullptr);
 
 /// Integer points of two bodies on their lattice.

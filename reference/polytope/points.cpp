@@ -89,7 +89,7 @@ void PosedPoints::move() {
   }
 }
 
-kernels::Positions Points::exact(std::vector<Point>& room) const {
+polytope::Positions Points::exact(std::vector<Point>& room) const {
   if (posed_ != nullptr) {
     room.clear();
     for (std::size_t i = 0; i < size(); ++i) room.push_back((*this)[i].exact());

@@ -15,10 +15,49 @@
 #include "fathom/body.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/point.hpp"
+#include "fathom/shape.hpp"
 #include "kernels/number/word_integer.hpp"
-#include "kernels/positions.hpp"
 
 namespace fathom::polytope {
+
+/// A view of an array of points, or of the centers of an array of atoms. What it is made from must
+/// outlive it.
+class Positions {
+ public:
+  Positions(const Point* points, std::size_t size) : points_(points), size_(size) {}
+  template <class Range>
+  requires std::is_convertible_v<const Range&, std::span<const Point>> Positions(
+      const Range& points)  // NOLINT(google-explicit-constructor): it stands for them
+      : Positions(std::span<const Point>(points).data(), std::span<const Point>(points).size()) {}
+  explicit Positions(std::span<const Atom> atoms) : atoms_(atoms.data()), size_(atoms.size()) {}
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  const Point& operator[](std::size_t i) const { return atoms_ != nullptr ? atoms_[i].center : points_[i]; }
+  [[nodiscard]] const Point& front() const { return (*this)[0]; }
+
+  class Iterator {
+   public:
+    Iterator(const Positions& all, std::size_t i) : all_(all), i_(i) {}
+    const Point& operator*() const { return all_[i_]; }
+    Iterator& operator++() {
+      ++i_;
+      return *this;
+    }
+    friend bool operator==(const Iterator& p, const Iterator& q) { return p.i_ == q.i_; }
+
+   private:
+    const Positions& all_;
+    std::size_t i_;
+  };
+  [[nodiscard]] Iterator begin() const { return {*this, 0}; }
+  [[nodiscard]] Iterator end() const { return {*this, size_}; }
+
+ private:
+  const Point* points_ = nullptr;
+  const Atom* atoms_ = nullptr;  // else
+  std::size_t size_ = 0;
+};
 
 /// Returns the points of all pieces, whose hull holds the union: piece after piece, each in its
 /// order. Does not check the laws of pieces.
@@ -75,12 +114,11 @@ class Points {
       const Range& points)  // NOLINT(google-explicit-constructor)
       : doubles_(points), exact_(nullptr, 0) {}
   template <class Range>
-  requires std::is_convertible_v<const Range&, kernels::Positions> Points(
+  requires std::is_convertible_v<const Range&, Positions> Points(
       const Range& points)  // NOLINT(google-explicit-constructor)
       : exact_(points) {}
   Points(const GivenPoints& points)  // NOLINT(google-explicit-constructor)
-      : doubles_(points.binary64()),
-        exact_(points.in_binary64() ? kernels::Positions(nullptr, 0) : kernels::Positions(points.exact())) {}
+      : doubles_(points.binary64()), exact_(points.in_binary64() ? Positions(nullptr, 0) : Positions(points.exact())) {}
   Points(const PosedPoints& points)  // NOLINT(google-explicit-constructor)
       : exact_(nullptr, 0), posed_(&points) {}
 
@@ -96,7 +134,7 @@ class Points {
   /// The points that a pose moves, if they are the form; else null.
   [[nodiscard]] const PosedPoints* posed() const { return posed_; }
   /// The exact points, where they stand or else in `room`, which must outlive them.
-  [[nodiscard]] kernels::Positions exact(std::vector<Point>& room) const;
+  [[nodiscard]] Positions exact(std::vector<Point>& room) const;
 
   /// Calls f(coordinate), with numbers of binary64 or with rationals, until it returns false.
   /// Returns whether it never did.
@@ -113,7 +151,7 @@ class Points {
 
  private:
   Doubles doubles_;
-  kernels::Positions exact_;  // if they are not in binary64
+  Positions exact_;  // if they are not in binary64
   const PosedPoints* posed_ = nullptr;
 };
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/report.hpp"
+#include "kernels/messages.hpp"
 #include "reference/polytope/hull.hpp"
 #include "reference/polytope/polytope.hpp"
 

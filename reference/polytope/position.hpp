@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "kernels/filters/support.hpp"
-#include "kernels/report.hpp"
+#include "kernels/messages.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/lattice.hpp"
 

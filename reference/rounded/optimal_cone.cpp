@@ -136,7 +136,7 @@ void require_some(const ClippedCone& cone) {
 }
 
 // The sign of h(u).
-int support_sign(kernels::Positions a, kernels::Positions b, const Vector& u) {
+int support_sign(polytope::Positions a, polytope::Positions b, const Vector& u) {
   const Point &p = a[solve::extreme_points(a, -u).front()], &q = b[solve::extreme_points(b, u).front()];
   return sgn(mpq_class(u.x * (q.x - p.x) + u.y * (q.y - p.y) + u.z * (q.z - p.z)));
 }
@@ -191,11 +191,11 @@ OptimalCone optimal_cone(kernels::Context& context, const polytope::PlacedPair& 
   return canonical(std::move(cone));
 }
 
-OptimalCone optimal_cone(kernels::Context& context, kernels::Positions a, kernels::Positions b, const Point& x) {
+OptimalCone optimal_cone(kernels::Context& context, polytope::Positions a, polytope::Positions b, const Point& x) {
   context.report("optimal cone");
   ClippedCone cone = whole_space();
   const Fraction common = fraction(x);
-  const auto clip_all = [&](kernels::Positions points, const auto& generator) {
+  const auto clip_all = [&](polytope::Positions points, const auto& generator) {
     for (const Point& p : points) {
       clip(cone, generator(p));
       context.check();
@@ -217,9 +217,9 @@ Vector inner_direction(const OptimalCone& cone) {
 }
 
 // Only the extreme points are placed on a lattice.
-Contact contact_along(kernels::Positions a, kernels::Positions b, const Vector& n) {
+Contact contact_along(polytope::Positions a, polytope::Positions b, const Vector& n) {
   const std::vector<std::uint32_t> ids_a = solve::extreme_points(a, -n), ids_b = solve::extreme_points(b, n);
-  const auto chosen = [](kernels::Positions points, const std::vector<std::uint32_t>& ids) {
+  const auto chosen = [](polytope::Positions points, const std::vector<std::uint32_t>& ids) {
     std::vector<Point> result;
     for (const std::uint32_t i : ids) result.push_back(points[i]);
     return result;
@@ -230,8 +230,8 @@ Contact contact_along(kernels::Positions a, kernels::Positions b, const Vector& 
   return contact;
 }
 
-PlanesBetween planes_between(kernels::Context& context, std::optional<polytope::PlacedPair> pair, kernels::Positions a,
-                             kernels::Positions b, const Touch& touch) {
+PlanesBetween planes_between(kernels::Context& context, std::optional<polytope::PlacedPair> pair, polytope::Positions a,
+                             polytope::Positions b, const Touch& touch) {
   if (!pair) pair = polytope::place_if_slim(a, b, &context);
   OptimalCone cone =
       pair ? optimal_cone(context, *pair, touch.point, touch.direction) : optimal_cone(context, a, b, touch.point);
@@ -253,7 +253,7 @@ std::vector<Vector> lineality_basis(const OptimalCone& cone) {
   return basis;
 }
 
-kernels::Report validate(const OptimalCone& cone, kernels::Positions a, kernels::Positions b) {
+kernels::Report validate(const OptimalCone& cone, polytope::Positions a, polytope::Positions b) {
   kernels::Report report;
   const bool axis = cone.lineality == Lineality::line || cone.lineality == Lineality::plane;
   report.expect(is_zero(cone.axis) != axis, "an axis of a lineality that has none, or none");

@@ -11,9 +11,9 @@
 
 #include "fathom/signed_depth.hpp"
 #include "kernels/context.hpp"
-#include "kernels/positions.hpp"
-#include "kernels/report.hpp"
+#include "kernels/messages.hpp"
 #include "reference/polytope/lattice.hpp"
+#include "reference/polytope/points.hpp"
 
 namespace fathom::rounded {
 
@@ -38,13 +38,13 @@ OptimalCone optimal_cone(kernels::Context& context, const polytope::PlacedPair& 
                          const Vector& known);
 
 /// The same by all generators, for bodies without a common lattice: the naive twin.
-OptimalCone optimal_cone(kernels::Context& context, kernels::Positions a, kernels::Positions b, const Point& x);
+OptimalCone optimal_cone(kernels::Context& context, polytope::Positions a, polytope::Positions b, const Point& x);
 
 /// A direction in the relative interior of the cone, but O: primitive.
 Vector inner_direction(const OptimalCone& cone);
 
 /// The faces in direction n of two bodies given by their points.
-Contact contact_along(kernels::Positions a, kernels::Positions b, const Vector& n);
+Contact contact_along(polytope::Positions a, polytope::Positions b, const Vector& n);
 
 /// All planes between bodies that touch, and the least faces that share points: those in any
 /// direction inside the cone.
@@ -54,14 +54,14 @@ struct PlanesBetween {
 };
 
 /// `pair`: the bodies on one lattice, if that has been made.
-PlanesBetween planes_between(kernels::Context& context, std::optional<polytope::PlacedPair> pair, kernels::Positions a,
-                             kernels::Positions b, const Touch& touch);
+PlanesBetween planes_between(kernels::Context& context, std::optional<polytope::PlacedPair> pair, polytope::Positions a,
+                             polytope::Positions b, const Touch& touch);
 
 /// Independent vectors that span the lineality: as many as its dimension.
 std::vector<Vector> lineality_basis(const OptimalCone& cone);
 
 /// Checks that h is 0 in every direction named, and that the form is canonical; not that no
 /// direction is missing.
-[[nodiscard]] kernels::Report validate(const OptimalCone& cone, kernels::Positions a, kernels::Positions b);
+[[nodiscard]] kernels::Report validate(const OptimalCone& cone, polytope::Positions a, polytope::Positions b);
 
 }  // namespace fathom::rounded

@@ -10,10 +10,10 @@
 
 #include "kernels/context.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/positions.hpp"
 #include "kernels/vector.hpp"
 #include "reference/curved/curved_bounds.hpp"
 #include "reference/depth/contact.hpp"
+#include "reference/polytope/points.hpp"
 #include "reference/rounded/coordinates.hpp"
 #include "reference/rounded/optimal_cone.hpp"
 #include "reference/shapes/core.hpp"
@@ -63,7 +63,7 @@ mpq_class signed_square(const PlaneSupport& plane) {
 
 // Cores that are polytopes. Those that touch are placed on a common lattice, unless their
 // denominators share too little.
-SignedDepth depth_of_points(kernels::Positions a, kernels::Positions b, const Shape& of_a, const Shape& of_b,
+SignedDepth depth_of_points(polytope::Positions a, polytope::Positions b, const Shape& of_a, const Shape& of_b,
                             const Options& options) {
   kernels::Context context(options.monitor);
   solve::PlacedDepth found = solve::placed_depth(context, a, b, options);
@@ -83,8 +83,8 @@ SignedDepth depth_of_points(kernels::Positions a, kernels::Positions b, const Sh
 }
 
 // Of a core that is one hull of points.
-kernels::Positions centers(const Shape& shape) {
-  return kernels::Positions(std::span<const Atom>(std::get<std::vector<Term>>(shape.core).front().atoms));
+polytope::Positions centers(const Shape& shape) {
+  return polytope::Positions(std::span<const Atom>(std::get<std::vector<Term>>(shape.core).front().atoms));
 }
 
 // nullopt unless every atom is a point.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fathom/solid.hpp"
-#include "kernels/report.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::solids {
 

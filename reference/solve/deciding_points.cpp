@@ -35,10 +35,10 @@ mpz_class truncated(const mpq_class& q, long shift) {
 struct Rounded {
   std::vector<Vector> a, b;
 
-  Rounded(kernels::Context& context, kernels::Positions of_a, kernels::Positions of_b) {
+  Rounded(kernels::Context& context, polytope::Positions of_a, polytope::Positions of_b) {
     const Point& origin = of_b.front();
     long size = -grid_bits * (1L << 20);
-    for (const kernels::Positions& body : {of_a, of_b}) {
+    for (const polytope::Positions& body : {of_a, of_b}) {
       for (const Point& p : body) {
         context.check();
         for (const mpq_class& c : {mpq_class(p.x - origin.x), mpq_class(p.y - origin.y), mpq_class(p.z - origin.z)})
@@ -60,14 +60,14 @@ struct Rounded {
 };
 
 // Of the listed points, those that maximise <u, p>.
-std::vector<std::uint32_t> extreme_among(kernels::Positions body, const Vector& u, std::vector<std::uint32_t> listed) {
+std::vector<std::uint32_t> extreme_among(polytope::Positions body, const Vector& u, std::vector<std::uint32_t> listed) {
   kernels::keep_greatest<mpq_class>(listed, [&](mpq_class& value, std::uint32_t i) { value = dot(u, body[i]); });
   return listed;
 }
 
 // The same among all. Coordinates of images err by less than one, so a product does by less than
 // |u|_1: what is extreme is within twice that of the greatest.
-std::vector<std::uint32_t> extreme_of_all(kernels::Positions body, std::span<const Vector> images, const Vector& u) {
+std::vector<std::uint32_t> extreme_of_all(polytope::Positions body, std::span<const Vector> images, const Vector& u) {
   std::vector<mpz_class> values;
   values.reserve(images.size());
   for (const Vector& p : images) values.push_back(dot(u, p));
@@ -79,7 +79,7 @@ std::vector<std::uint32_t> extreme_of_all(kernels::Positions body, std::span<con
 }
 
 // Takes the differences to the first point. Scaling each separately does not change the rank.
-bool is_flat(kernels::Positions body) {
+bool is_flat(polytope::Positions body) {
   std::vector<Vector> directions{{0, 0, 0}};
   for (const Point& p : body) {
     const Point d = p - body[0];
@@ -101,7 +101,7 @@ std::vector<Vector> directions_of(const Depth& depth) {
 // The chosen points of one body.
 class Choice {
  public:
-  Choice(kernels::Positions body, std::span<const Vector> images) : body_(body), images_(images) {}
+  Choice(polytope::Positions body, std::span<const Vector> images) : body_(body), images_(images) {}
 
   void add(std::uint32_t i) { chosen_.insert(i); }
   // Whether one was missing.
@@ -120,14 +120,14 @@ class Choice {
   }
 
  private:
-  kernels::Positions body_;
+  polytope::Positions body_;
   std::span<const Vector> images_;
   std::set<std::uint32_t> chosen_;
 };
 
 class Deciding {
  public:
-  Deciding(kernels::Context& context, kernels::Positions a, kernels::Positions b)
+  Deciding(kernels::Context& context, polytope::Positions a, polytope::Positions b)
       : a_(a), b_(b), images_(context, a, b), chosen_a_(a, images_.a), chosen_b_(b, images_.b) {}
 
   std::optional<Depth> run(kernels::Context& context, const Options& options) {
@@ -184,20 +184,20 @@ class Deciding {
     return depth;
   }
 
-  kernels::Positions a_, b_;
+  polytope::Positions a_, b_;
   Rounded images_;
   Choice chosen_a_, chosen_b_;
 };
 
 }  // namespace
 
-std::optional<Depth> depth_by_deciding_points(kernels::Context& context, kernels::Positions a, kernels::Positions b,
+std::optional<Depth> depth_by_deciding_points(kernels::Context& context, polytope::Positions a, polytope::Positions b,
                                               const Options& options) {
   if (a.size() + b.size() < worth_a_guess) return std::nullopt;
   return Deciding(context, a, b).run(context, options);
 }
 
-std::vector<std::uint32_t> extreme_points(kernels::Positions body, const Vector& u) {
+std::vector<std::uint32_t> extreme_points(polytope::Positions body, const Vector& u) {
   std::vector<std::uint32_t> all(body.size());
   for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
   return extreme_among(body, u, std::move(all));

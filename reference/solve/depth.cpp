@@ -112,7 +112,7 @@ PlacedDepth placed_depth(kernels::Context& context, const polytope::Points& a, c
   if (narrow.depth) return {std::move(*narrow.depth), std::nullopt};
   if (narrow.pair) return answer(exact_depth, std::move(*narrow.pair));
   std::vector<Point> room_a, room_b;
-  const kernels::Positions exact_a = a.exact(room_a), exact_b = b.exact(room_b);
+  const polytope::Positions exact_a = a.exact(room_a), exact_b = b.exact(room_b);
   if (std::optional<polytope::PlacedPair> slim = polytope::place_if_slim(exact_a, exact_b, &context))
     return answer(depth_by_method, std::move(*slim));
   if (std::optional<Depth> depth = depth_by_deciding_points(context, exact_a, exact_b, options))

@@ -12,8 +12,8 @@
 #include "fathom/depth.hpp"
 #include "fathom/overlap.hpp"
 #include "kernels/context.hpp"
-#include "kernels/positions.hpp"
 #include "reference/polytope/lattice.hpp"
+#include "reference/polytope/points.hpp"
 
 namespace fathom::solve {
 
@@ -65,12 +65,12 @@ std::optional<Closeness> closeness_of_points(const polytope::Points& a, const po
 /// are not counted, that counters are those of the deciding points, and that it may be another one
 /// where several are right (the inner polytope; the nearest points of parallel faces; direction and
 /// common point of touching bodies). Returns nullopt if more than half of all points would decide.
-std::optional<Depth> depth_by_deciding_points(kernels::Context& context, kernels::Positions a, kernels::Positions b,
+std::optional<Depth> depth_by_deciding_points(kernels::Context& context, polytope::Positions a, polytope::Positions b,
                                               const Options& options);
 
 /// Returns the indices of all points of a non-empty body that maximise <u, p>, ascending. Exact,
 /// for any denominators.
-std::vector<std::uint32_t> extreme_points(kernels::Positions body, const Vector& u);
+std::vector<std::uint32_t> extreme_points(polytope::Positions body, const Vector& u);
 
 /// Returns the first field in which the answers differ, with both values, as "optima[0].direction:
 /// (1, 0, 0) and (0, 1, 0)"; nullopt if they agree. Compared is every field that must not depend on

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/rational.hpp"
+#include "kernels/number/text.hpp"
 
 namespace fathom::text {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "kernels/messages.hpp"
-#include "kernels/number/parse.hpp"
+#include "kernels/number/text.hpp"
 
 namespace fathom::text {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <vector>
 
+#include "kernels/messages.hpp"
 #include "kernels/nearest.hpp"
-#include "kernels/report.hpp"
 #include "reference/chart/chart.hpp"
 
 namespace fathom::vertex_facet {

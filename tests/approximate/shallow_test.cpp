@@ -15,7 +15,6 @@
 #include "tests/support/monitors.hpp"
 #include "tests/support/same_answer.hpp"
 #include "tests/support/vectors.hpp"
-#include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/polytope_pairs.hpp"
 #include "verify/families/solids.hpp"

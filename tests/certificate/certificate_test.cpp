@@ -8,7 +8,7 @@
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/check/check.hpp"
-#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 
 namespace fathom::certificate {
 namespace {

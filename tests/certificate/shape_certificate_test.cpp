@@ -18,7 +18,7 @@
 #include "reference/shapes/core.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/check/check.hpp"
-#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
 
 namespace fathom::certificate {

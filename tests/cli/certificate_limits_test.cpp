@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
 #include "fathom/certificate.hpp"
 #include "verify/check/limits.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "cli/io/in_order.hpp"
+#include "cli/io/process.hpp"
 
 namespace fathom::cli {
 namespace {

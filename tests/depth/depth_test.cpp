@@ -17,7 +17,7 @@
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/monitors.hpp"
 #include "tests/support/prepared.hpp"
-#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 #include "verify/families/solids.hpp"
 
 namespace fathom::depth {

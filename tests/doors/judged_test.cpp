@@ -15,7 +15,6 @@
 #include "verify/harness/journal.hpp"
 #include "verify/harness/protocol.hpp"
 #include "verify/judge/truth.hpp"
-#include "verify/judge/words.hpp"
 
 namespace fathom {
 namespace {

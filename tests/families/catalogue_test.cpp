@@ -2,8 +2,6 @@
 // Every entry of the catalogue: what is written beside it is what the pipeline and its twins find;
 // and the approach to it.
 
-#include "verify/families/catalogue.hpp"
-
 #include <gtest/gtest.h>
 #include <stdio.h>
 

@@ -15,7 +15,6 @@
 
 #include "fathom/signed_depth.hpp"
 #include "kernels/vector.hpp"
-#include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 
 namespace fathom::families {

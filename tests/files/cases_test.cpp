@@ -2,6 +2,8 @@
 // Cases and streams of cases: what numbers mean, what a pose does, where one case ends and the next
 // begins.
 
+#include "reference/files/cases.hpp"
+
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -16,8 +18,6 @@
 #include <vector>
 
 #include "fathom/files.hpp"
-#include "reference/files/case_json.hpp"
-#include "reference/files/fcl_text.hpp"
 #include "reference/files/file_io.hpp"
 #include "tests/support/case_files.hpp"
 

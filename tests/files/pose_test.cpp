@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "fathom/files.hpp"
-#include "reference/files/case_json.hpp"
+#include "reference/files/cases.hpp"
 #include "reference/files/shape_names.hpp"
 #include "tests/support/property.hpp"
 

@@ -22,7 +22,7 @@
 #include "verify/golden/records/facts.hpp"
 #include "verify/golden/records/prove.hpp"
 #include "verify/golden/records/record.hpp"
-#include "verify/golden/release/embedded_pages.hpp"
+#include "verify/golden/release/release.hpp"
 
 namespace fathom::golden {
 namespace {

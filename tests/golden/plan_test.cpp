@@ -7,7 +7,6 @@
 #include <map>
 #include <set>
 
-#include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/golden/records/recipe.hpp"
 #include "verify/golden/records/record.hpp"

@@ -21,7 +21,7 @@
 #include "tests/golden/forged.hpp"
 #include "tests/golden/some_recipes.hpp"
 #include "verify/check/check.hpp"
-#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 #include "verify/families/union_pairs.hpp"
 #include "verify/golden/records/prove.hpp"
 #include "verify/golden/records/recipe.hpp"

@@ -20,7 +20,7 @@
 #include "reference/output/result_fields.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/harness/protocol.hpp"
-#include "verify/harness/report/html.hpp"
+#include "verify/harness/report/reports.hpp"
 #include "verify/harness/report_fields.hpp"
 
 namespace fathom::harness {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "fathom/numbers.hpp"
-#include "reference/files/case_json.hpp"
+#include "reference/files/cases.hpp"
 #include "verify/check/check.hpp"
 #include "verify/families/families.hpp"
 #include "verify/harness/coordinates.hpp"

@@ -12,7 +12,7 @@
 
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
-#include "reference/files/case_json.hpp"
+#include "reference/files/cases.hpp"
 #include "tests/harness/fake_subject.hpp"
 #include "tests/harness/snippet_cases.hpp"
 #include "verify/check/check.hpp"

@@ -9,7 +9,7 @@
 
 #include "tests/harness/fake_subject.hpp"
 #include "verify/check/reader.hpp"
-#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 #include "verify/harness/journal.hpp"
 #include "verify/harness/protocol.hpp"
 

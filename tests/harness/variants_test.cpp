@@ -12,11 +12,10 @@
 #include "kernels/vector.hpp"
 #include "tests/harness/fake_subject.hpp"
 #include "tests/unions/pieces.hpp"
-#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/seen_case.hpp"
 #include "verify/judge/truth.hpp"
-#include "verify/judge/words.hpp"
 
 namespace fathom::harness {
 namespace {

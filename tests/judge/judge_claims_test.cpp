@@ -15,7 +15,7 @@
 #include "tests/support/prepared.hpp"
 #include "verify/judge/claim.hpp"
 #include "verify/judge/scene.hpp"
-#include "verify/judge/words.hpp"
+#include "verify/judge/truth.hpp"
 
 namespace fathom::judging {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Decimal digits of integers are those of GMP.
-#include "kernels/number/decimal.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "fathom/numbers.hpp"
+#include "kernels/number/text.hpp"
 
 namespace fathom::kernels {
 namespace {

@@ -8,14 +8,14 @@
 #include <map>
 
 #include "kernels/filters/plane.hpp"
-#include "kernels/predicates/perturbed_kernel_cgal.hpp"
+#include "kernels/predicates/kernels_cgal.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 #include "reference/lines/closest_lines.hpp"
 #include "reference/vertex_facet/vertex_facet.hpp"
 #include "tests/support/prepared.hpp"
-#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 
 namespace fathom::kernels {
 namespace {

@@ -3,8 +3,6 @@
 // number and which one, and the standard library's readers of doubles for what the nearest binary64
 // is.
 
-#include "kernels/number/parse.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -29,6 +27,7 @@
 #include "fathom/body.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/number/rational.hpp"
+#include "kernels/number/text.hpp"
 #include "tests/support/full_size.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/words.hpp"

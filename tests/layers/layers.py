@@ -81,7 +81,7 @@ LISTED = "cmake/cgal_files.txt"
 LINES = 600
 FUNCTION_LINES = 60
 COLUMNS = {".py": 140, "": 100}  # of Python, and of comments in C++
-ONE_READER = 16  # headers with a single reader; whoever takes some away lowers it
+ONE_READER = 11  # headers with a single reader; whoever takes some away lowers it
 SOURCE = (".cpp", ".hpp")
 SCRIPTS = ("fathom", "check", ".ci/run", ".clang-format", ".clang-tidy")
 

@@ -11,7 +11,7 @@
 #include "reference/lines/cutting.hpp"
 #include "tests/support/grids.hpp"
 #include "tests/support/line_scenes.hpp"
-#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 
 namespace fathom::lines {
 namespace {

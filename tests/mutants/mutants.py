@@ -177,7 +177,7 @@ MUTANTS = [Mutant(*fields) for fields in [
      "root_binary64(found.bound_squared(), Rounding::ru)", "python"),
     ("cli/commands/depth.cpp", "*request.form.digits * 3322UL / 1000 + 4;", "*request.form.digits * 332UL / 1000 + 4;",
      "cli_transcript_shapes"),
-    ("cli/io/certificate_file.cpp", "if (!names_.insert(name).second) refuse", "if (names_.count(name) > 2) refuse",
+    ("cli/io/output.cpp", "if (!names_.insert(name).second) refuse", "if (names_.count(name) > 2) refuse",
      "cli_transcript_certificate"),
 ]]
 

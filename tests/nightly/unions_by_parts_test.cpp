@@ -11,7 +11,7 @@
 
 #include "tests/support/stated_cases.hpp"
 #include "tests/unions/pieces.hpp"
-#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 #include "verify/harness/two_ways.hpp"
 
 namespace fathom::nightly {

@@ -18,7 +18,7 @@
 #include "reference/polytope/polytope.hpp"
 #include "tests/support/prepared.hpp"
 #include "tests/support/property.hpp"
-#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 
 namespace fathom::polytope {
 namespace {

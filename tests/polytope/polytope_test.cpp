@@ -15,7 +15,6 @@
 #include <tuple>
 
 #include "reference/polytope/hull.hpp"
-#include "reference/polytope/polygon.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/vectors.hpp"
 

@@ -18,7 +18,7 @@
 #include "reference/depth/contact.hpp"
 #include "tests/support/check_depth.hpp"
 #include "tests/support/prepared.hpp"
-#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
 
 namespace fathom::rounded {

@@ -23,7 +23,6 @@
 #include "tests/support/monitors.hpp"
 #include "tests/support/prepared.hpp"
 #include "tests/support/same_answer.hpp"
-#include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/solids.hpp"
 

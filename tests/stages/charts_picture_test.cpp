@@ -10,7 +10,6 @@
 
 #include "fathom/numbers.hpp"
 #include "tests/support/matches.hpp"
-#include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "view/stages/stages.hpp"
 

@@ -16,7 +16,6 @@
 #include "reference/depth/penetration_depth.hpp"
 #include "tests/stages/staged_cases.hpp"
 #include "tests/support/prepared.hpp"
-#include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "view/stages/parts.hpp"
 #include "view/stages/stages.hpp"

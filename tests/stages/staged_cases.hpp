@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/support/prepared.hpp"
-#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 #include "view/stages/stages.hpp"
 
 namespace fathom::testing {

@@ -13,7 +13,7 @@
 #include "reference/files/shape_names.hpp"
 #include "tests/support/prepared.hpp"
 #include "tests/support/random_shapes.hpp"
-#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 #include "verify/study/solid.hpp"
 
 namespace fathom::studies {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
-#include "kernels/report.hpp"
+#include "kernels/messages.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/position.hpp"

@@ -19,7 +19,6 @@
 
 #include "tests/unions/naive_union.hpp"
 #include "tests/unions/pieces.hpp"
-#include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 
 namespace fathom::unions {

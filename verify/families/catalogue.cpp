@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The catalogue of degenerate pairs of polytopes, group by group.
 
-#include "verify/families/catalogue.hpp"
-
 #include <algorithm>
 #include <array>
 #include <iterator>
 #include <vector>
 
+#include "verify/families/families.hpp"
 #include "verify/families/polytope_pairs.hpp"
 #include "verify/families/solids.hpp"
 

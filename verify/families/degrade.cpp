@@ -13,7 +13,7 @@
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/polytope.hpp"
-#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 #include "verify/families/polytope_pairs.hpp"
 #include "verify/families/random.hpp"
 #include "verify/families/solids.hpp"

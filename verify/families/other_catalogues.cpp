@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
-#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
 #include "verify/families/union_pairs.hpp"
 

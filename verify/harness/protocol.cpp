@@ -20,7 +20,7 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"
-#include "reference/files/case_json.hpp"
+#include "reference/files/cases.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/judge/fields.hpp"

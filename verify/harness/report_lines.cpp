@@ -10,7 +10,7 @@
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/protocol.hpp"
 #include "verify/harness/report_fields.hpp"
-#include "verify/judge/words.hpp"
+#include "verify/judge/truth.hpp"
 
 namespace fathom::harness {
 namespace {

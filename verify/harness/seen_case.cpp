@@ -20,7 +20,6 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
-#include "reference/files/case_json.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/shapes/core.hpp"

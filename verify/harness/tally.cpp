@@ -13,7 +13,7 @@
 
 #include "fathom/numbers.hpp"
 #include "verify/harness/outcome.hpp"
-#include "verify/harness/report/text.hpp"
+#include "verify/harness/report/reports.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -20,7 +20,7 @@
 #include "kernels/number/irrational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/patch/patch.hpp"
-#include "reference/polytope/polygon.hpp"
+#include "reference/polytope/polytope.hpp"
 #include "reference/rounded/coordinates.hpp"
 #include "reference/shapes/core.hpp"
 #include "verify/judge/claim.hpp"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Judges two bodies of any kind: polytopes, shapes, unions of convex pieces.
+// Judges two bodies of any kind: polytopes, shapes, unions of convex pieces. And the policies that
+// it may go by.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "fathom/body.hpp"
@@ -29,5 +31,16 @@ Judgement judged(const AnyTruth& truth, const Reply& reply, const Conventions& c
 
 /// Adds a finding to a judgement, at its rank.
 void add_finding(Judgement& judgement, Verdict finding, const std::string& sentence);
+
+// Policies as texts. (The texts of verdicts and classes are in fathom/judge.hpp.)
+
+inline constexpr Policy::Kind policy_kinds[] = {Policy::Kind::declared, Policy::Kind::minimum, Policy::Kind::separating,
+                                                Policy::Kind::within};
+
+/// Returns "declared", "minimum", "separating", "within=5%", "within=5/2%".
+std::string policy_text(const Policy& policy);
+/// Returns the policy of such a text; the percentage may also be a decimal. Returns nullopt for
+/// other texts, and for a percentage below 0.
+std::optional<Policy> policy_of(std::string_view text);
 
 }  // namespace fathom::judging

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judge/words.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 
 #include "fathom/judge.hpp"
 #include "fathom/numbers.hpp"
+#include "verify/judge/truth.hpp"
 
 namespace fathom {
 namespace {

@@ -17,7 +17,7 @@
 #include "fathom/shape.hpp"
 #include "fathom/solid.hpp"
 #include "fathom/union.hpp"
-#include "reference/files/case_json.hpp"
+#include "reference/files/cases.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/files/shape_names.hpp"

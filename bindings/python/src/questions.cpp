@@ -20,7 +20,6 @@
 #include "reference/shapes/body_notes.hpp"
 #include "verify/judge/fields.hpp"
 #include "verify/judge/truth.hpp"
-#include "verify/judge/words.hpp"
 
 template <>
 struct pybind11::detail::type_caster<fathom::Prepared> : fathom::python::MadeCaster<fathom::Prepared> {};

@@ -2,8 +2,6 @@
 // The page: well-formed whatever others say, self-contained, nothing lost, and which failures it
 // shows.
 
-#include "verify/harness/report/html.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -15,13 +13,13 @@
 #include <utility>
 #include <vector>
 
-#include "reference/files/case_json.hpp"
+#include "reference/files/cases.hpp"
 #include "tests/harness/report/outcomes.hpp"
 #include "tests/harness/report/well_formed.hpp"
 #include "tests/support/property.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/solids.hpp"
-#include "verify/harness/report/junit.hpp"
+#include "verify/harness/report/reports.hpp"
 
 namespace fathom::harness {
 namespace {

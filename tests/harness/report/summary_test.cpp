@@ -18,9 +18,7 @@
 #include "fathom/files.hpp"
 #include "tests/harness/report/outcomes.hpp"
 #include "tests/support/property.hpp"
-#include "verify/harness/report/html.hpp"
-#include "verify/harness/report/junit.hpp"
-#include "verify/harness/report/text.hpp"
+#include "verify/harness/report/reports.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -15,7 +15,7 @@
 #include "verify/golden/export/export.hpp"
 #include "verify/golden/records/facts.hpp"
 #include "verify/golden/records/record.hpp"
-#include "verify/golden/release/embedded_pages.hpp"
+#include "verify/golden/release/release.hpp"
 
 namespace fathom::golden {
 namespace {

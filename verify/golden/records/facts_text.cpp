@@ -10,7 +10,8 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/number/rational.hpp"
-#include "reference/files/case_json.hpp"
+#include "kernels/number/text.hpp"
+#include "reference/files/cases.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/output/answer_json.hpp"
 #include "reference/text/json.hpp"

@@ -16,7 +16,6 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/union_pairs.hpp"
 

@@ -20,7 +20,6 @@
 #include "reference/solve/depth.hpp"
 #include "verify/digest/sha256.hpp"
 #include "verify/golden/io/files.hpp"
-#include "verify/golden/release/embedded_pages.hpp"
 #include "verify/golden/shards/shard.hpp"
 
 namespace fathom::golden {

@@ -11,7 +11,6 @@
 
 #include "fathom/signed_depth.hpp"
 #include "reference/shapes/core.hpp"
-#include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
 #include "verify/golden/records/recipe.hpp"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/report/diff.hpp"
 
 #include <fmt/format.h>
 
@@ -11,8 +10,7 @@
 #include <utility>
 
 #include "reference/text/json.hpp"
-#include "verify/harness/report/html.hpp"
-#include "verify/harness/report/text.hpp"
+#include "verify/harness/report/reports.hpp"
 #include "view/picture/markup.hpp"
 
 namespace fathom::harness {

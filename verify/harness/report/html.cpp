@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page from its head to its foot; each failure in full is in html_failure.cpp.
-#include "verify/harness/report/html.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,7 +11,7 @@
 #include <set>
 #include <tuple>
 
-#include "verify/harness/report/text.hpp"
+#include "verify/harness/report/reports.hpp"
 #include "verify/harness/tally.hpp"
 #include "view/picture/markup.hpp"
 

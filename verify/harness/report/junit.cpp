@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/report/junit.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +12,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/file_io.hpp"
-#include "verify/harness/report/text.hpp"
+#include "verify/harness/report/reports.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/report/text.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,8 +6,9 @@
 #include <functional>
 
 #include "fathom/numbers.hpp"
+#include "verify/harness/report/reports.hpp"
 #include "verify/harness/tally.hpp"
-#include "verify/judge/words.hpp"
+#include "verify/judge/truth.hpp"
 
 namespace fathom::harness {
 namespace {
