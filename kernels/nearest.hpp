@@ -14,10 +14,6 @@ namespace fathom::kernels {
 /// are kept.
 class NearestPlanes {
  public:
-  struct LexicographicOrder {
-    bool operator()(const Vector& a, const Vector& b) const { return lexicographically_less(a, b); }
-  };
-
   NearestPlanes() = default;
   /// The planes at the squared distance numerator / denominator > 0 of which these are the
   /// primitive normals.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <initializer_list>
 #include <type_traits>
 
 #include "fathom/point.hpp"
@@ -81,12 +82,17 @@ bool is_zero(const Vec3<NT>& v) {
   return sgn(v.x) == 0 && sgn(v.y) == 0 && sgn(v.z) == 0;
 }
 
-/// Lexicographic order on components; the order in which tied optima are listed.
-inline bool lexicographically_less(const Vector& a, const Vector& b) {
-  if (const int c = cmp(a.x, b.x)) return c < 0;
-  if (const int c = cmp(a.y, b.y)) return c < 0;
-  return cmp(a.z, b.z) < 0;
-}
+/// Lexicographic order on components, of vectors and of points; the order in which tied optima are
+/// listed.
+struct LexicographicOrder {
+  template <class Triple>
+  bool operator()(const Triple& a, const Triple& b) const {
+    if (const int c = cmp(a.x, b.x)) return c < 0;
+    if (const int c = cmp(a.y, b.y)) return c < 0;
+    return cmp(a.z, b.z) < 0;
+  }
+};
+inline constexpr LexicographicOrder lexicographically_less;
 
 /// v divided by the greatest common divisor of its components; the zero vector stays.
 inline Vector primitive(const Vector& v) {
@@ -145,11 +151,17 @@ inline Point cross(const Point& p, const Point& q) {
   return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
 }
 
+/// The factor > 0 that makes integers without a common divisor of these numbers; 1 if all are 0.
+inline mpq_class primitive_factor(std::initializer_list<const mpq_class*> numbers) {
+  mpz_class above = 1, below = 0;
+  for (const mpq_class* x : numbers) above = lcm(above, x->get_den()), below = gcd(below, x->get_num());
+  return {above, below == 0 ? mpz_class(1) : below};
+}
+
 /// The primitive vector of the same direction; of O the zero vector.
 inline Vector primitive_along(const Point& p) {
-  const mpz_class unit = lcm(lcm(p.x.get_den(), p.y.get_den()), p.z.get_den());
-  const auto times_unit = [&](const mpq_class& c) { return mpz_class(c.get_num() * (unit / c.get_den())); };
-  return primitive({times_unit(p.x), times_unit(p.y), times_unit(p.z)});
+  const Point along = primitive_factor({&p.x, &p.y, &p.z}) * p;
+  return {along.x.get_num(), along.y.get_num(), along.z.get_num()};
 }
 
 }  // namespace fathom

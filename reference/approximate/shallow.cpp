@@ -157,7 +157,7 @@ const mpq_class& checked(const mpq_class& delta) {
 /// The facets that the rays hit, each once.
 std::vector<SumFacet> facets_hit(const std::vector<NearRay>& rays, const SumSurface& surface,
                                  const polytope::Hierarchy& a, const polytope::Hierarchy& b) {
-  std::set<Vector, kernels::NearestPlanes::LexicographicOrder> normals;
+  std::set<Vector, LexicographicOrder> normals;
   for (const NearRay& ray : rays) normals.insert(ray.normal);
   std::vector<SumFacet> facets;
   for (const Vector& n : normals) facets.push_back(surface.facet(a.extreme_face(-n), b.extreme_face(n), n));

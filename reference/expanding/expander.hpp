@@ -196,8 +196,8 @@ class Expander {
   InnerPolytope inner() { return inner_polytope(surface_, memory_.merge); }
 
   /// The primitive normals of the nearest facets, after find_nearest.
-  std::set<Vector, kernels::NearestPlanes::LexicographicOrder> normals_of_nearest() {
-    std::set<Vector, kernels::NearestPlanes::LexicographicOrder> normals;
+  std::set<Vector, LexicographicOrder> normals_of_nearest() {
+    std::set<Vector, LexicographicOrder> normals;
     for (const TriangleId t : memory_.nearest) normals.insert(without_factor(surface_.plane(t).normal));
     return normals;
   }
@@ -207,7 +207,7 @@ class Expander {
     memory_.facets.clear();
     for (const TriangleId t : memory_.nearest) memory_.facets.emplace_back(memory_.merge.facet_of[t], t);
     std::sort(memory_.facets.begin(), memory_.facets.end());
-    std::set<Vector, kernels::NearestPlanes::LexicographicOrder> directions;
+    std::set<Vector, LexicographicOrder> directions;
     std::uint32_t last = UINT32_MAX;
     for (const auto& [facet, t] : memory_.facets)
       if (std::exchange(last, facet) != facet) directions.insert(without_factor(surface_.plane(t).normal));

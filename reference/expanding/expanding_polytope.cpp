@@ -147,7 +147,7 @@ class Check {
   const kernels::PointCloud& a_;
   const kernels::PointCloud& b_;
   kernels::Report report_;
-  std::set<Vector, kernels::NearestPlanes::LexicographicOrder> tight_;
+  std::set<Vector, LexicographicOrder> tight_;
 };
 
 }  // namespace

@@ -71,7 +71,7 @@ Expansion nearest_by_expansion_in(kernels::Context& context, const kernels::Poin
 struct WarmExpansion {
   ExpansionEnd end = ExpansionEnd::spent;
   /// proved: the primitive normals of all facets of P nearest to O.
-  std::set<Vector, kernels::NearestPlanes::LexicographicOrder> normals;
+  std::set<Vector, LexicographicOrder> normals;
   bool outside = false;  ///< as of Expansion
 };
 

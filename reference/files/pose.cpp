@@ -14,6 +14,7 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/messages.hpp"
 #include "kernels/number/rational.hpp"
+#include "kernels/vector.hpp"
 #include "reference/files/file_io.hpp"
 #include "reference/files/mesh_formats.hpp"
 #include "reference/files/shape_names.hpp"
@@ -284,16 +285,6 @@ mpq_class simplest(const mpq_class& low, const mpq_class& high) {
   return whole + 1 / simplest(1 / (high - whole), 1 / (low - whole));
 }
 
-/// Integers along q, without a common factor.
-Quaternion primitive(const Quaternion& q) {
-  mpz_class denominator = 1, factor = 0;
-  for (const mpq_class* x : {&q.w, &q.x, &q.y, &q.z}) denominator = lcm(denominator, x->get_den());
-  for (const mpq_class* x : {&q.w, &q.x, &q.y, &q.z}) factor = gcd(factor, mpz_class(*x * denominator));
-  mpq_class scale(denominator, factor);
-  scale.canonicalize();
-  return {q.w * scale, q.x * scale, q.y * scale, q.z * scale};
-}
-
 /// Null if it becomes flat. Of a mirrored one, corners are listed the other way around.
 std::shared_ptr<const Solid> placed_solid(Solid solid, const Pose& pose) {
   const int turn = sgn(determinant(linear_part(pose)));
@@ -430,7 +421,9 @@ mpq_class length_near(const Point& v) { return kernels::enclosed(Surd{0, v.x * v
 
 GivenPose composed(const GivenPose& second, const GivenPose& first) {
   GivenPose result;
-  result.turn = primitive(product(second.turn, first.turn));
+  const Quaternion q = product(second.turn, first.turn);
+  const mpq_class s = primitive_factor({&q.w, &q.x, &q.y, &q.z});
+  result.turn = {s * q.w, s * q.x, s * q.y, s * q.z};
   result.place = placed(first.place, rigid_pose(second.turn, second.place));
   return result;
 }

@@ -17,12 +17,6 @@ mpq_class to_the_left(const Vector& n, const Point& p, const Point& q, const Poi
   return dot(n, cross(q - p, x - p));
 }
 
-bool less(const Point& p, const Point& q) {
-  if (const int x = cmp(p.x, q.x)) return x < 0;
-  if (const int y = cmp(p.y, q.y)) return y < 0;
-  return cmp(p.z, q.z) < 0;
-}
-
 std::vector<Point> named(const polytope::Points& body, std::span<const std::uint32_t> ids) {
   std::vector<Point> points;
   for (const std::uint32_t i : ids) points.push_back(body[i].exact());
@@ -31,7 +25,7 @@ std::vector<Point> named(const polytope::Points& body, std::span<const std::uint
 
 /// Corners of a polygon, counter-clockwise: from each the one that has all others on its left.
 std::vector<Point> wrapped(const Vector& n, std::vector<Point> corners) {
-  std::swap(corners.front(), *std::min_element(corners.begin(), corners.end(), less));
+  std::swap(corners.front(), *std::min_element(corners.begin(), corners.end(), lexicographically_less));
   for (std::size_t k = 1; k + 1 < corners.size(); ++k)
     for (std::size_t i = k + 1; i < corners.size(); ++i)
       if (to_the_left(n, corners[k - 1], corners[k], corners[i]) < 0) std::swap(corners[k], corners[i]);
@@ -48,7 +42,8 @@ std::vector<Point> strict(std::vector<Point> cycle, const Vector& n) {
     if (between) (cycle.erase(cycle.begin() + static_cast<std::ptrdiff_t>(k)), k = 0);
     else ++k;
   }
-  if (!cycle.empty()) std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end(), less), cycle.end());
+  if (!cycle.empty())
+    std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end(), lexicographically_less), cycle.end());
   return cycle;
 }
 

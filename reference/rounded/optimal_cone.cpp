@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t few = 8;  // generators: to clip by all of them takes less than to find those that cut
 
-using Directions = std::set<Vector, decltype(&lexicographically_less)>;
+using Directions = std::set<Vector, LexicographicOrder>;
 
 // p u + q v, primitive.
 Vector combined(const mpz_class& p, const Vector& u, const mpz_class& q, const Vector& v) {
@@ -180,7 +180,7 @@ OptimalCone optimal_cone(kernels::Context& context, const polytope::PlacedPair& 
   ClippedCone cone = whole_space();
   for (const std::uint32_t j : kernels::extreme_points(pair.b, u)) clip(cone, generators.of_b(pair.b[j]));
   for (const std::uint32_t i : kernels::extreme_points(pair.a, -u)) clip(cone, generators.of_a(pair.a[i]));
-  Directions below({known}, &lexicographically_less);
+  Directions below{known};
   while (!all) {
     const std::optional<Vector> g = next_cut(cone, generators, below);
     if (!g) break;

@@ -47,7 +47,7 @@ class Directions {
   }
 
  private:
-  std::map<Vector, std::size_t, kernels::NearestPlanes::LexicographicOrder> known_;
+  std::map<Vector, std::size_t, LexicographicOrder> known_;
 };
 
 class TilingCheck {

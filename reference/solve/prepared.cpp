@@ -73,7 +73,7 @@ struct Prepared::Parts {
       std::iota(kept.begin(), kept.end(), 0U);
       return;
     }
-    std::set<Vector, kernels::NearestPlanes::LexicographicOrder> known;
+    std::set<Vector, LexicographicOrder> known;
     const auto is_new = [&](const Vector& v) { return !known.contains(-v) && known.insert(v).second; };
     for (const polytope::Edge& edge : hull.edges)
       if (is_new(primitive(Vector(hull.vertices[edge.to] - hull.vertices[edge.from]))))

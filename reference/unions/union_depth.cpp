@@ -160,8 +160,9 @@ class UnionRun {
     result_.low = result_.complete ? result_.high : search_.squared_low();
     if (result_.bounds) result_.low = std::max(result_.low, result_.bounds->deepest_pair);
     for (const Place& p : search_.optima()) result_.optima.push_back(optimum(p));
-    std::sort(result_.optima.begin(), result_.optima.end(),
-              [](const UnionOptimum& x, const UnionOptimum& y) { return is_before(x.translation, y.translation); });
+    std::sort(result_.optima.begin(), result_.optima.end(), [](const UnionOptimum& x, const UnionOptimum& y) {
+      return lexicographically_less(x.translation, y.translation);
+    });
   }
 
   HullDepth hull_depth() {

@@ -78,7 +78,7 @@ class Prover {
     prove_cell(RationalPoint{});
     proof_.squared = *search_.squared_best();
     for (const RationalPoint& p : search_.optima()) proof_.optima.push_back(pieces_.translation(p));
-    std::sort(proof_.optima.begin(), proof_.optima.end(), is_before);
+    std::sort(proof_.optima.begin(), proof_.optima.end(), lexicographically_less);
     return std::move(proof_);
   }
 

@@ -226,12 +226,6 @@ bool same_point(const kernels::RationalPointIn<Numbers>& p, const kernels::Ratio
   return same(p.v.x, q.v.x) && same(p.v.y, q.v.y) && same(p.v.z, q.v.z);
 }
 
-bool is_before(const Point& p, const Point& q) {
-  if (const int c = cmp(p.x, q.x)) return c < 0;
-  if (const int c = cmp(p.y, q.y)) return c < 0;
-  return cmp(p.z, q.z) < 0;
-}
-
 template <class Numbers>
 UnionSearchIn<Numbers>::UnionSearchIn(const PlacedPieces& pieces, bool all_pairs)
     : pieces_(pieces), table_(pieces, all_pairs) {

@@ -144,9 +144,6 @@ using UnionSearch = UnionSearchIn<kernels::AnyNumbers>;
 template <class Numbers>
 bool same_point(const kernels::RationalPointIn<Numbers>& p, const kernels::RationalPointIn<Numbers>& q);
 
-/// Whether p comes before q in lexicographic order.
-bool is_before(const Point& p, const Point& q);
-
 /// How the twins of union_depth work; as it does by default.
 struct UnionWork {
   bool any_size = false;   ///< in integers of any size, also where those of a fixed size would do

@@ -23,7 +23,7 @@
 namespace fathom::approximate {
 namespace {
 
-using VectorSet = std::set<Vector, kernels::NearestPlanes::LexicographicOrder>;
+using VectorSet = std::set<Vector, LexicographicOrder>;
 
 const mpq_class deltas[] = {
     1000000, 3, 1, mpq_class(1, 2), mpq_class(1, 4), mpq_class(1, 7), mpq_class(1, 100), mpq_class(1, 2500)};

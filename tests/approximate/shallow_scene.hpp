@@ -11,7 +11,7 @@
 
 namespace fathom::testing {
 
-using NormalSet = std::set<Vector, kernels::NearestPlanes::LexicographicOrder>;
+using NormalSet = std::set<Vector, LexicographicOrder>;
 
 /// Both bodies with their hierarchies, and P itself.
 struct ShallowScene {

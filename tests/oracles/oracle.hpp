@@ -14,10 +14,7 @@
 
 namespace fathom::oracles {
 
-struct LexicographicallyLess {
-  bool operator()(const Vector& a, const Vector& b) const { return lexicographically_less(a, b); }
-};
-using Directions = std::set<Vector, LexicographicallyLess>;
+using Directions = std::set<Vector, LexicographicOrder>;
 
 /// squared: depth^2 in lowest terms, 0 unless penetrating. directions: of all optima, primitive,
 /// sorted lexicographically; empty unless penetrating.

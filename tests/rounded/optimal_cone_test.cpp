@@ -26,10 +26,6 @@ namespace {
 
 using Vectors = std::vector<Vector>;
 
-struct Less {
-  bool operator()(const Vector& u, const Vector& v) const { return lexicographically_less(u, v); }
-};
-
 /// Small integers only, as long.
 Vector integral(const Point& p) { return {p.x.get_num(), p.y.get_num(), p.z.get_num()}; }
 
@@ -70,13 +66,13 @@ class NaivePolar {
     if (!is_zero(v)) candidates.insert(candidates.end(), {v, -v});
   }
   [[nodiscard]] Vectors among(const Vectors& candidates) const {
-    std::set<Vector, Less> found;
+    std::set<Vector, LexicographicOrder> found;
     for (const Vector& v : candidates)
       if (holds(v)) found.insert(primitive(v));
     return {found.begin(), found.end()};
   }
 
-  std::set<Vector, Less> all_;
+  std::set<Vector, LexicographicOrder> all_;
 };
 
 /// On the lattice, which asks for some generators only, from any direction that is known. The faces

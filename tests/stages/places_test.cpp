@@ -326,8 +326,7 @@ std::vector<Case> polytopes() {
 }
 
 /// Facets by normal, each by its corners as differences, ascending.
-using Facets = std::map<Vector, std::set<Vector, kernels::NearestPlanes::LexicographicOrder>,
-                        kernels::NearestPlanes::LexicographicOrder>;
+using Facets = std::map<Vector, std::set<Vector, LexicographicOrder>, LexicographicOrder>;
 
 Facets naive(const polytope::Polytope& a, const polytope::Polytope& b) {
   std::vector<Vector> differences;

@@ -89,7 +89,7 @@ class Search {
   }
 
   void find_parallel_faces() {
-    std::map<Vector, const FlatFace*, kernels::NearestPlanes::LexicographicOrder> of_b;
+    std::map<Vector, const FlatFace*, LexicographicOrder> of_b;
     for (const FlatFace& g : b_.faces) of_b.emplace(g.normal, &g);
     for (const FlatFace& f : a_.faces) {
       for (const int sense : {1, -1}) {

@@ -165,7 +165,7 @@ std::optional<Line> axis_of(std::span<const Term> terms) {
 
 namespace {
 
-using Directions = std::set<Vector, kernels::NearestPlanes::LexicographicOrder>;
+using Directions = std::set<Vector, LexicographicOrder>;
 
 std::vector<Point> points_of(const Term& term) {
   std::vector<Point> points;

@@ -43,7 +43,7 @@ namespace {
 
 /// The features with each of some directions.
 template <class T>
-using ByDirection = std::map<Vector, T, kernels::NearestPlanes::LexicographicOrder>;
+using ByDirection = std::map<Vector, T, LexicographicOrder>;
 
 /// Returns the one of u and -u whose first component other than zero is positive, made primitive:
 /// it is equal for parallel vectors only.

@@ -105,7 +105,7 @@ struct Found {
   gaussian::PerColour<std::optional<ArcId>> edges;
   Indices pairs;
 };
-using FoundByNormal = std::map<Vector, Found, kernels::NearestPlanes::LexicographicOrder>;
+using FoundByNormal = std::map<Vector, Found, LexicographicOrder>;
 
 /// Returns whether n, a multiple of a direction on the circle of the arc, lies on the closed arc.
 bool is_on(const gaussian::GaussianDiagram& diagram, const gaussian::Arc& arc, const Vector& n) {
