@@ -80,7 +80,7 @@ std::string note_on(const Rows& m) {
     std::snprintf(text, sizeof text, ": the body is %sscaled by %.4g", det < 0 ? "mirrored and " : "", scale);
     return found + ", not a rotation" + text;
   }
-  return found + ", not a rotation: the body is " + (is_near_1(abs(det)) ? "sheared" : "scaled or sheared") + " by it";
+  return found + ", not a rotation: the body is scaled or sheared by it";
 }
 
 Rows linear_part(const Pose& pose) {

@@ -210,7 +210,7 @@ TEST(PoseNote, NamesWhatIsNoRotation) {
   EXPECT_EQ(note_of("1 0 0 1; 1 0 0 2; 0 0 1 3"), "det 0, not a rotation: the body becomes flat");
   EXPECT_EQ(note_of("1 0 0 1; 0 1 0 2; 0 0 -1 3"), "det -1, a reflection: the body is mirrored");
   EXPECT_EQ(note_of("0.98 0 0 1; 0 1 0 2; 0 0 1 3"), "det 0.98, not a rotation: the body is scaled or sheared by it");
-  EXPECT_EQ(note_of("1 1 0 1; 0 1 0 2; 0 0 1 3"), "det 1, not a rotation: the body is sheared by it");
+  EXPECT_EQ(note_of("1 1 0 1; 0 1 0 2; 0 0 1 3"), "det 1, not a rotation: the body is scaled or sheared by it");
   EXPECT_EQ(note_of("1000 0 0 1; 0 1000 0 2; 0 0 1000 3"), "det 1e+09, not a rotation: the body is scaled by 1000");
   EXPECT_EQ(note_of("-2 0 0 1; 0 -2 0 2; 0 0 -2 3"), "det -8, not a rotation: the body is mirrored and scaled by 2");
   EXPECT_EQ(note_of("0 1 0 0; -1 0 0 0; 0 0 1 0; 1 2 3 1"),
