@@ -232,7 +232,9 @@ struct WrittenBody {
       case fathom_check::Body::Core::half_space:
         return half_space() && same(half_space()->normal, body.normal) && half_space()->offset == value_of(body.offset);
       case fathom_check::Body::Core::shape: break;
-      default: return false;
+      case fathom_check::Body::Core::pieces:
+      case fathom_check::Body::Core::solid:
+      case fathom_check::Body::Core::none: return false;
     }
     const auto* const terms = std::get_if<std::vector<Term>>(&shape.core);
     return terms && std::equal(terms->begin(), terms->end(), body.terms.begin(), body.terms.end(),
@@ -331,9 +333,8 @@ UnionStatement stated(const Certificate& certificate, const Unions& unions) {
       return truth;
     case Claim::touching: truth.status = Status::touching; return truth;
     case Claim::apart: truth.gap = gap_in(certificate, unions); return truth;
-    default: break;
+    default: throw NotProved("the certificate does not prove the depth of unions");
   }
-  throw NotProved("the certificate does not prove the depth of unions");
 }
 
 UnionStatement truth_in(const Unions& unions, const FormedCase& made, const std::optional<Witness>&,
