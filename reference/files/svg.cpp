@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "kernels/messages.hpp"
-#include "kernels/number/parse.hpp"
+#include "kernels/number/text.hpp"
 #include "reference/files/mesh_formats.hpp"
 #include "reference/files/shape_names.hpp"
 

@@ -15,7 +15,7 @@
 #include "fathom/patch.hpp"
 #include "fathom/union.hpp"
 #include "reference/answer/plane.hpp"
-#include "reference/files/case_json.hpp"
+#include "reference/files/cases.hpp"
 #include "tests/plane/pairs.hpp"
 
 namespace fathom::plane {
