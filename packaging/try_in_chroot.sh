@@ -245,7 +245,7 @@ if [[ -z $debs ]]; then
     limit=3h parse_all
   elif [[ $mode == --proofs ]]; then
     say "$suite: everything is proved, and the proved checker built"
-    limit=2h inside there bash -euc 'root=/fathom me=proofs && . /fathom/cmake/launcher.sh && lock && start_log && install_packages proved && cd /fathom
+    limit=2h inside there bash -euc 'root=/fathom me=proofs && . /fathom/cmake/launcher.sh && lock && start_log && install_packages proved page && cd /fathom
       make -C proofs/coq OUT=/data/proofs check page >/data/log 2>&1 || { tail -n 20 /data/log >&2; exit 1; }
       coqc --version | head -n 1'
   else

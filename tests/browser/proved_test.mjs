@@ -59,23 +59,25 @@ function random(count) {
   });
 }
 
-/** Chooses files, and waits until all of them are judged. */
-async function choose(open, files) {
-  await open.setInputFiles('#files', files);
-  await judged(open);
+/** Does what makes the page judge its files anew, and waits until all of them are judged. */
+async function judged(open, act) {
+  await open.evaluate(() => document.getElementById('said').replaceChildren());
+  await act();
+  await open.waitForFunction(() => document.getElementById('said').textContent.startsWith('All is checked'));
 }
-const judged = (open) => open.waitForFunction(() => document.getElementById('said').textContent.startsWith('All is checked'), null, { timeout: 0 });
+async function choose(open, files) {
+  await open.setInputFiles('#files', []);  // the same files again are no change
+  await judged(open, () => open.setInputFiles('#files', files));
+}
 const shownLines = (open) => open.evaluate(() => [...document.querySelectorAll('.verdict > summary')].map((e) => `${e.textContent}\n`).join(''));
 
 onPage('proved: the lines of every certificate of the tests', page, {}, async (open) => {
   assert.ok(certificates.length > 45, `law: the certificates are found (${certificates.length})`);
   await choose(open, certificates);
   assert.equal(await shownLines(open), linesOf(certificates), 'law: the lines are those of the program');
-  await open.check('#width');
-  await judged(open);
+  await judged(open, () => open.check('#width'));
   assert.equal(await shownLines(open), linesOf(certificates, '--width'), 'law: with --width too');
-  await open.uncheck('#width');
-  await judged(open);
+  await judged(open, () => open.uncheck('#width'));
   await open.evaluate(() => document.querySelectorAll('.verdict.accepted').forEach((e) => { e.open = true; }));
   await open.waitForFunction(() => [...document.querySelectorAll('.verdict.accepted')].every((e) => e.querySelector('svg')));
   const unsaid = await open.evaluate(() => [...document.querySelectorAll('.verdict.accepted')].filter((e) =>
@@ -97,15 +99,14 @@ onPage('proved: more than a thousand forgeries', page, {}, async (open) => {
 });
 
 onPage('proved: a file that is dropped, a long one, and one that replaces it', page, {}, async (open) => {
-  const drop = (name, bytes) => open.evaluate(([file, text]) => {
+  const drop = (file, bytes) => open.evaluate(([name, text]) => {
     const dataTransfer = new DataTransfer();
-    dataTransfer.items.add(new File([text], file));
+    dataTransfer.items.add(new File([text], name));
     document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
-  }, [name, bytes]);
-  const box = certificate('proved_width'), name = 'a box, größer.cert', text = readFileSync(box, 'utf8');
-  await drop(name, text.replace(/^id .*\n/m, ''));
-  await judged(open);
-  assert.equal(await shownLines(open), linesOf([made(name, text.replace(/^id .*\n/m, ''))]), 'law: a name is written as the program writes it');
+  }, [file, bytes]);
+  const box = certificate('proved_width'), name = 'a box, größer.cert', nameless = readFileSync(box, 'utf8').replace(/^id .*\n/m, '');
+  await judged(open, () => drop(name, nameless));
+  assert.equal(await shownLines(open), linesOf([made(name, nameless)]), 'law: a name is written as the program writes it');
   assert.ok(await open.locator('.verdict svg').isVisible(), 'law: one answer alone is open');
 
   // 100,000 doubled points, and a line of a megabyte: what walks along them runs in constant stack space in the browser too

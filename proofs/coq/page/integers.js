@@ -41,6 +41,11 @@ function ml_z_mul(a, b) { return fathom_integer(BigInt(a) * BigInt(b)); }
 //Provides: ml_z_mul_overflows const
 function ml_z_mul_overflows(a, b) { return a * b === (a * b | 0) ? 0 : 1; }
 
+// zarith's own masks are made by this
+//Provides: ml_z_shift_left const
+//Requires: fathom_integer
+function ml_z_shift_left(a, places) { return fathom_integer(BigInt(a) << BigInt(places)); }
+
 // ---- division: towards zero, downwards, upwards ----
 
 //Provides: fathom_divisor

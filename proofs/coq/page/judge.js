@@ -14,15 +14,16 @@ function characters(bytes) {
 
 /** {lines, code}: what `fathom-check-proved [--width] NAME` prints, and its exit code. Throws what stops it otherwise. */
 function judged({ name, bytes, width }) {
-  const self = globalThis, before = self.process;
+  const self = globalThis, { process, console } = self;
   const said = [], blamed = [];
   let code = null;
   const file = { name: unescape(encodeURIComponent(name)), content: characters(bytes) };
-  self.caml_fs_tmp = [file];
-  self.jsoo_fs_tmp = [file];  // js_of_ocaml from 5 on
-  self.jsoo_create_file = undefined;
   self.process = { argv: ['', 'fathom-check-proved', ...(width ? ['--width'] : []), '--', name],
     stdout: { write: (text) => said.push(text) }, stderr: { write: (text) => blamed.push(text) } };
+  self.caml_fs_tmp = [file];
+  self.jsoo_fs_tmp = [file];  // js_of_ocaml from 5 on, which writes to the console: lines without their ends
+  self.console = { log: (line) => said.push(line, '\n'), error: (line) => blamed.push(line, '\n') };
+  self.jsoo_create_file = undefined;
   self.quit = (number) => {
     code = number;
     throw ended;
@@ -32,10 +33,10 @@ function judged({ name, bytes, width }) {
   } catch (stop) {
     if (stop !== ended) throw stop;
   } finally {
-    self.process = before;
+    Object.assign(self, { process, console });
   }
   if (blamed.length || code === null) throw new Error(blamed.join('') || 'the program has not ended');
-  return { lines: said.join('').split('\n').slice(0, -1), code };
+  return { lines: said.join('').split('\n').filter((line) => line), code };
 }
 
 onmessage = ({ data }) => {

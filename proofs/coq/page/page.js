@@ -108,6 +108,7 @@ function give(files) {
   judgeAll();
 }
 
+byId('files').addEventListener('click', ({ target }) => { target.value = ''; });  // the same files may have changed
 byId('files').addEventListener('change', ({ target }) => give(target.files));
 byId('width').addEventListener('change', judgeAll);
 addEventListener('dragover', (event) => {

@@ -28,6 +28,7 @@ let one a =
   line
     [ text; truth (Z.equal a (Z.of_substring ("x" ^ text ^ "y") ~pos:1 ~len:(String.length text))); Z.to_string (Z.neg a);
       Z.to_string (Z.abs a); Z.to_string (Z.succ a); Z.to_string (Z.pred a); string_of_int (Z.sign a); string_of_int (Z.numbits a);
+      String.concat " " (List.map (fun k -> Z.to_string (Z.shift_left a k)) [ 0; 1; 31; 32; 64; 100 ]);
       (if Z.numbits a < 31 then string_of_int (Z.to_int a) else "");
       (if Z.numbits a > 64 then match Z.to_int a with _ -> "fits" | exception Z.Overflow -> "overflows" else "") ]
 
