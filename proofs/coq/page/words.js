@@ -49,6 +49,10 @@ const sayings = [
     `The mesh of ${m} triangles is closed, its winding number is negative nowhere, and the ${n} convex pieces are the solid that it encloses.`]],
 ];
 
+// A line with anything more in it gets no words: they might leave out what matters.
+const whole = new RegExp('^(?:(?:penetrating|touching|disjoint|undecided) (?:depth_squared|distance_squared|signed_depth)(?:_in)?=\\S+' +
+  '(?: optima=\\S+)?(?: cone=\\S+)?(?: pieces=\\S+| patches=\\S+(?: rates=\\S+)?)?|solid triangles=\\S+ pieces=\\S+)$');
+
 /** The format that a line is about, by what it says. */
 function formatOf(said) {
   if (said.startsWith('solid ')) return 5;
@@ -59,7 +63,7 @@ function formatOf(said) {
 
 /** {sentences, theorem: [name, file, definition]} of what is between "s VERIFIED " and the certificate's name. */
 function inWords(said, width) {
-  const sentences = sayings.flatMap(([pattern, words]) => {
+  const sentences = !whole.test(said) ? [] : sayings.flatMap(([pattern, words]) => {
     const found = pattern.exec(said);
     return found ? words(...found.slice(1)).filter(Boolean) : [];
   });
