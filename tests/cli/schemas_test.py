@@ -38,6 +38,9 @@ TEETH = {
         ({"status": "disjoint", "distance": PRESENT}, {"unit_f64", "translation_f64", "witness_f64", "sizes", "hull", "distance"}, [
             (["distance", "squared"], "0"), (["distance", "squared"], "-4"), (["distance", "witness"], None),
             (["distance", "direction"], None), (["distance", "more"], 1), (["status"], "touching")]),
+        ({"dimension": 2, "status": "penetrating"}, {"unit_f64", "translation_f64", "witness_f64", "sizes"}, [
+            (["dimension"], 3), (["direction"], ["-1", "0", "0"]), (["translation"], ["-1", "0", "0"]), (["unit_f64"], [-1.0, 0.0, 0.0]),
+            (["contact", "kind"], "facet-edge"), (["contact", "kind"], "vertex-vertex"), (["optima"], [])]),
         ({"method": "approx"}, {"unit_f64", "translation_f64", "witness_f64", "sizes", "hull"}, [
             (["delta"], "0"), (["delta"], 1), (["rays"], -1), (["bound"], None), (["method"], "exact"), (["optima"], [{}]),
             (["witness"], 1), (["counters"], {}), (["distance"], None)]),
