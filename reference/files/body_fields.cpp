@@ -14,6 +14,7 @@
 #include "fathom/numbers.hpp"
 #include "fathom/solid.hpp"
 #include "kernels/messages.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/files/case_fields.hpp"
 #include "reference/files/mesh_formats.hpp"
 #include "reference/files/piece_files.hpp"
@@ -62,6 +63,17 @@ std::string repeated_field(const JsonValue& value) {
     if (std::string within = repeated_field(value.items()[i]); !within.empty()) return within;
   }
   return "";
+}
+
+/// In binary64 if all are numbers of it, as vertices of space are read.
+GivenPoints points_as_given(std::vector<Point> points) {
+  CollectedPoints collected;
+  const auto coordinate = [](mpq_class& x) -> Coordinate {
+    if (const std::optional<double> same = kernels::in_binary64(x)) return *same;
+    return std::move(x);
+  };
+  for (Point& p : points) collected.add({coordinate(p.x), coordinate(p.y), coordinate(p.z)});
+  return collected.take();
 }
 
 /// Reads one object, and those in it. After the first fault what is returned means nothing.
@@ -426,6 +438,7 @@ Body Reader::body(const JsonValue& json, const std::string& path, bool rounded) 
     words.fields.numbers["margin"] = {shape.radius};
   }
   Body body = body_of(std::move(shape));
+  if (dimension == 2 && !body.shape) body.points = points_as_given(std::move(body.points.edit()));
   const bool named = json.find("shape") && !rounded;
   if (dimension == 3 && (named || body.shape)) body.words = std::make_shared<const NamedBody>(std::move(words));
   return body;

@@ -52,6 +52,29 @@ void expect_value(const Answer& answer, const Surd& value, const std::string& id
 
 TEST(Plane, EqualsTheNaiveTwin) { expect_right_pairs(150); }
 
+TEST(Plane, IsTheSameOfPointsInBinary64) {
+  Random random(2);
+  int compared = 0;
+  for (const PairKind kind : all_kinds)
+    for (int i = 0; i < 25; ++i) {
+      const PlanePair pair = plane_pair(kind, random);
+      const auto in_binary64 = [](const Points& points) {
+        std::vector<std::array<double, 3>> rounded;
+        for (const Point& p : points) rounded.push_back({p.x.get_d(), p.y.get_d(), 0});
+        return in_plane(Body{GivenPoints(std::move(rounded))});
+      };
+      const Body a = in_binary64(pair.a), b = in_binary64(pair.b);
+      if (a.points != body_of(pair.a).points || b.points != body_of(pair.b).points) continue;
+      EXPECT_TRUE(answer::prisms_of(a, b).b.points.in_binary64());
+      const Answer exact = exact_answer(body_of(pair.a), body_of(pair.b)), quick = exact_answer(a, b);
+      const Depth &one = std::get<Depth>(exact.found), &other = std::get<Depth>(quick.found);
+      EXPECT_EQ(signed_square(one), signed_square(other)) << text_of(pair);
+      EXPECT_EQ(one.optima(), other.optima()) << text_of(pair);
+      ++compared;
+    }
+  EXPECT_GT(compared, 100);
+}
+
 TEST(Plane, EqualsSpaceOnThickPrisms) {
   Random random(3);
   for (const PairKind kind : all_kinds)
@@ -230,6 +253,7 @@ TEST(Plane, CasesAreWrittenAndReadAgain) {
     const Case again = parse_case(text, "again").value();
     EXPECT_EQ(files::case_json(again), text);
     EXPECT_EQ(again.a.points, pair.a.points);
+    EXPECT_EQ(again.b.points.in_binary64(), pair.b.points.in_binary64());
     EXPECT_EQ(again.a.shape, pair.a.shape);
   }
   // (x, y) -> (2 - y, x)
@@ -240,6 +264,7 @@ TEST(Plane, CasesAreWrittenAndReadAgain) {
   const Case turned = read(
       R"("a": {"vertices": [[5, 0]], "pose": {"half_angle": "1/2", "translation": [1, 1]}}, "b": {"vertices": [[0, 0]]})");
   EXPECT_EQ(turned.a.points[0], (Point{4, 5, 0}));
+  EXPECT_TRUE(turned.a.points.in_binary64());
 }
 
 TEST(Plane, BadCasesAreRefusedWithASentence) {
