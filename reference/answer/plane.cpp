@@ -168,7 +168,6 @@ void require_z_0(const std::vector<Point>& points) {
 
 mpq_class height_above(const Body& a, const Body& b) {
   const mpq_class sum = extent_along_x(a) + extent_along_x(b);
-  if (sum == 0) return 1;
   // 2^(bits of the numerator - those of the denominator) is more than half of the sum.
   const auto bits = [](const mpz_class& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); };
   const long exponent = bits(sum.get_num()) - bits(sum.get_den());

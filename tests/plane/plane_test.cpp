@@ -185,6 +185,9 @@ TEST(Plane, UnionsOfOnePieceAreThatPiece) {
     EXPECT_EQ(depth.status, naive.status);
     EXPECT_EQ(depth.apart ? depth.apart->distance.squared : depth.low, naive.squared);
     EXPECT_EQ(answer.ways_out(), naive.ways.size());
+    const Answer swapped = exact_answer(body_of(pair.b), in_plane(piece));
+    EXPECT_EQ(swapped.status(), naive.status);
+    EXPECT_EQ(compare(swapped.low(), answer.low()), 0);
     for (const UnionOptimum& optimum : depth.optima)
       for (const PieceContact& met : optimum.contacts) {
         const Point u = rational(met.direction);
@@ -204,6 +207,8 @@ TEST(Plane, UnionsAreThoseOfPrisms) {
         Points piece = random_points(random, 4, 8);
         if (hull(piece).size() > 2) pieces->push_back(std::move(piece));
       }
+    if (i % 3 == 0)  // apart
+      for (Points& piece : b) piece = moved(std::move(piece), {30, 1, 0});
     for (const Points& piece : a) prisms_a.push_back(prism(piece, 100));
     for (const Points& piece : b) prisms_b.push_back(prism(piece, 333));
     Body body_a, body_b;
@@ -332,6 +337,7 @@ TEST(Plane, IsReadFromPointsAndDrawings) {
   EXPECT_EQ(svg(R"(<polygon points="0,0 1.5,0 1-2"/>)").points, GivenPoints(triangle));
   EXPECT_EQ(svg(R"(<g><path d="M0 0h1.5L1-2z"/></g>)").points.exact(), triangle);
   EXPECT_EQ(svg(R"(<path d="m 0,0 1.5,0 -.5 -2 Z"/>)").points.exact(), triangle);
+  EXPECT_EQ(svg(R"(<path d="M1 1h2v1zl1 3"/>)").points.exact(), (Points{{1, 1, 0}, {3, 1, 0}, {3, 2, 0}, {2, 4, 0}}));
   EXPECT_EQ(svg(R"(<path d="M 9 9 M 1 1 H 2 V 3"/>)").points.exact(), (Points{{1, 1, 0}, {2, 1, 0}, {2, 3, 0}}));
   EXPECT_EQ(svg(R"(<defs><circle r="4"/></defs><rect x="1" width="2" height="0.5"/>)").points.exact(),
             (Points{{1, 0, 0}, {3, 0, 0}, {3, mpq_class(1, 2), 0}, {1, mpq_class(1, 2), 0}}));
