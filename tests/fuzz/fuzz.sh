@@ -23,15 +23,15 @@ with_a_first_byte() {
   shift
   mkdir -p "$into"
   for file; do
-    for byte in {0..11}; do
+    for byte in {0..13}; do
       { printf "\\x$(printf %x "$byte")" && cat "$file"; } >"$into/$byte-${file##*/}"
     done
   done
 }
 rm -rf found corpus
-with_a_first_byte corpus/mesh "$root"/tests/data/wedge*
+with_a_first_byte corpus/mesh "$root"/tests/data/wedge* "$root/examples/data/plate.svg"
 mapfile -t cases < <(find "$root/tests/data" -maxdepth 1 -name '*.json*' -size -20k)
-with_a_first_byte corpus/cases "${cases[@]}" "$root/examples/shapes.jsonl"
+with_a_first_byte corpus/cases "${cases[@]}" "$root/examples/shapes.jsonl" "$root/examples/data/plane.jsonl"
 mkdir -p corpus/check && cp "$root"/tests/fuzz/corpus/check/* "$root"/tests/data/certificates/format_[2345]/* corpus/check
 
 run() {

@@ -344,32 +344,6 @@ TEST(Plane, IsReadFromPointsAndDrawings) {
   EXPECT_EQ(svg(R"(<circle cx="1" cy="2" r="0.1"/>)").shape,
             (Shape{fathom::hull(Points{{1, 2, 0}}).core, mpq_class(1, 10)}));
   EXPECT_EQ(svg(R"(<line x2="3" y2="4"/>)").points.exact(), (Points{{0, 0, 0}, {3, 4, 0}}));
-  const auto fault = [&](const std::string& text, const std::string& name) -> std::string {
-    try {
-      points(text, name);
-      return "none";
-    } catch (const InputError& error) {
-      return error.what();
-    }
-  };
-  const auto svg_fault = [&](const std::string& shape) { return fault("<svg>\n" + shape + "</svg>", "x.svg"); };
-  EXPECT_EQ(fault("0 0\n1 1 1\n", "x.txt"), "x.txt:2: expected 2 columns as in the lines before, found 3 columns");
-  EXPECT_EQ(fault("1\n0\n", "x.txt"), "x.txt:2: expected three numbers x y z, or two of the plane, found 1 column");
-  EXPECT_EQ(svg_fault(R"x(<g transform="scale(2)"><circle r="1"/></g>)x"),
-            "x.svg:2: <g>: expected no transform, found one: apply it first");
-  EXPECT_EQ(svg_fault(R"(<path d="M 0 0 C 1 1 2 2 3 3"/>)"),
-            "x.svg:2: <path>: expected straight segments (M L H V Z), found 'C'");
-  EXPECT_EQ(svg_fault(R"(<ellipse rx="1" ry="2"/>)"),
-            "x.svg:2: <ellipse>: expected a polygon, polyline, path, rect, circle or line, found another element");
-  EXPECT_EQ(svg_fault(R"(<circle r="1"/><circle r="2"/>)"),
-            "x.svg: expected one shape, found 2: --pieces takes their union");
-  EXPECT_EQ(svg_fault(R"(<rect width="1" height="2" rx="1"/>)"),
-            "x.svg:2: <rect>: expected a rect without round corners, found rx= or ry=");
-  EXPECT_EQ(svg_fault(R"(<polygon points="0 0 1"/>)"), "x.svg:2: <polygon>: expected as many y as x, found one x more");
-  EXPECT_EQ(svg_fault(R"(<circle r="0"/>)"), "x.svg:2: <circle>: expected r= above 0, found another number");
-  EXPECT_EQ(svg_fault("<circle r="), "x.svg:2: expected XML, found a fault");
-  EXPECT_EQ(svg_fault(""),
-            "x.svg:1: expected at least one shape (polygon, polyline, path, rect, circle or line), found none");
 }
 
 }  // namespace
