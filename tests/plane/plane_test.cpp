@@ -167,8 +167,9 @@ TEST(Plane, RoundedPolygonsHaveTheDepthOfTheirCoresAndRadii) {
     const NaiveAnswer cores = naive_depth(pair.a, pair.b);
     const mpq_class signed_square = cores.status == Status::disjoint ? mpq_class(-cores.squared) : cores.squared;
     expect_value(answer, Surd{mpq_class(5, 2), signed_square}, text_of(pair));
-    if (cores.status == Status::touching)
+    if (cores.status == Status::touching) {
       for (const Vector& ray : std::get<SignedDepth>(answer.found).cone->rays) EXPECT_EQ(ray.z, 0);
+    }
   }
 }
 
