@@ -160,7 +160,6 @@ namespace fathom {
 std::string certificate_text(const Body& a, const Body& b, const Answer& answer, const ContactGeometry& geometry,
                              std::span<const Twist> motions, std::string_view id, Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
-  if (answer.prisms) throw std::invalid_argument("patches of bodies of the plane have no certificate");
   if (!geometry.tells_smoothness())
     throw std::invalid_argument("patches of unions and of curved bodies have no certificate");
   ShapeCertificate proof =

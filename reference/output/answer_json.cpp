@@ -339,8 +339,7 @@ Manifold manifold_of(const Body& a, const Body& b, const Answer& answer, const s
 
 std::string certificate_of(const Body& a, const Body& b, const Answer& answer, const Manifold* manifold,
                            std::span<const Twist> motions, std::string_view id, Monitor* monitor) {
-  if (!manifold || answer.prisms || !manifold->geometry.tells_smoothness())
-    return certificate_text(a, b, answer, id, monitor);
+  if (!manifold || !manifold->geometry.tells_smoothness()) return certificate_text(a, b, answer, id, monitor);
   return certificate_text(a, b, answer, manifold->geometry, motions, id, monitor);
 }
 

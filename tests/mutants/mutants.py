@@ -147,6 +147,8 @@ MUTANTS = [Mutant(*fields) for fields in [
      "std::size_t middle = (whole.first + whole.last + 1) / 2;", "check_tests"),
     ("verify/check/check_unions.cpp", "reached_ *= den * den;", "reached_ *= den;", "check_forgeries_of_two_bodies"),
     ("verify/check/limits.cpp", "cost(5 * p, 5 * p)", "cost(4 * p, 4 * p)", "check_two_body_limits"),
+    ("verify/check/check_claim.cpp", "value(c.high) >= left * left)", "value(c.high) > left * left)", "check_forgeries_of_the_plane"),
+    ("verify/check/check.py", "demand(left > 0,", "demand(left >= 0,", "check_forgeries_of_the_plane"),
     ("verify/check/check.py", "demand(not fault, fault)", "pass", "check_forgeries_of_two_bodies"),
     ("verify/check/check.py", "halves = whole[len(whole) // 2:], whole[:len(whole) // 2]",
      "halves = whole[(len(whole) + 1) // 2:], whole[:(len(whole) + 1) // 2]", "check_forgeries_of_two_bodies"),
