@@ -187,7 +187,8 @@ Prisms prisms_of(const Body& a, const Body& b) {
   return {a.pieces || b.pieces ? raised(a, height) : flat_in_space(a), std::move(raised_b), std::move(height)};
 }
 
-// Prisms that are made higher have the same ways out, and the same proof: all else moves away from O.
+// Prisms that are made higher have the same ways out and the same proof, as all else moves away
+// from O.
 mpq_class proving_height(const Prisms& prisms, const Answer& of_prisms) {
   mpq_class height = prisms.height > 0 ? prisms.height : mpq_class(1);
   const auto* const depth = std::get_if<SignedDepth>(&of_prisms.found);

@@ -118,9 +118,9 @@ class Certificates(ProgramTest):
     def test_the_plane(self):
         squares, pieces = DATA / "plane" / "squares.cert", DATA / "plane" / "pieces.cert"
         code, lines, _ = self.run_program(CHECK, "--echo", squares, DATA / "plane" / "half_plane.cert", pieces)
-        self.assertEqual((code, lines[:8], lines[12], lines[19], lines[21:27]),
-                         (0, ["c id squares", "c plane 8", "c a 4", "c 0 0", "c 2 0", "c 0 2", "c 2 2", "c b 4"],
-                          "c claim depth 1", "c 2 2", ["c claim depth 1", lines[22], "c id pieces", "c plane 8", "c pieces_a 2", "c a 4"]))
+        self.assertEqual((code, lines[:8], lines[12], lines[20:23], lines[24:28]),
+                         (0, ["c id squares", "c plane 8", "c a 4", "c 0 0", "c 2 0", "c 0 2", "c 2 2", "c b 4"], "c claim depth 1",
+                          ["c 2 2", "c halfspace_b 1 0 1", "c claim depth 1"], ["c id pieces", "c plane 8", "c pieces_a 2", "c a 4"]))
         code, lines, _ = self.run_program(CHECK, "--width", squares)
         self.assertEqual((code, reason(lines[0])), (1, "bodies of the plane have no width here"))
 
