@@ -61,7 +61,7 @@ SMALL_WORLD = """## The small world
 
 Every pair of tetrahedra with corners in {{0, 1, 2}}^3, flat ones included, once up to the symmetries of that cube: {pairs} pairs, generated
 and not stored. A pair is of one way to meet (`disjoint`, `touching_...`, `contact_...` of its one optimum, `ties`) and of every further
-kind that holds. The least failing pair of a kind is the first in lexicographic order, by its number: `fathom cases --small-world N` makes
+kind that holds. The least failing pair of a kind is the first of those asked, by its number: `fathom cases --small-world N` makes
 it. A subject that was asked about a part of the world is counted on that part alone; `verify/survey/world.py` asks on.
 
 {sections}
