@@ -133,6 +133,7 @@ cases --list --unions
 cases --from a.off b.stl
 cases --from --exact-decimals --pose-a 'xyz=1,2,3' a.obj b.obj
 cases --from-fcl error.log
+cases --small-world 6463000 --count 1000
 check proof.cert
 check --echo --case case.json proof.cert
 check data/certificates/two_in_one_file.cert data/certificates/depth_cubes.cert
