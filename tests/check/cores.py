@@ -62,7 +62,7 @@ class Core:
         for (i, p), (j, q) in itertools.product(enumerate(whole[0]), enumerate(whole[1])):
             self.pairs.setdefault(minus(q, p), (j, i))
         self.points = list(self.pairs)
-        self.facets = self.find_facets()
+        self.facets = self.find_facets(*whole)
         self.inside = bool(self.facets) and all(c > 0 for _, c, _ in self.facets)
         if self.inside:
             self.value = min(self.squared(n, c) for n, c, _ in self.facets)
@@ -77,25 +77,20 @@ class Core:
     def h(self, n):
         return max(dot(n, d) for d in self.points)
 
-    def find_facets(self):
-        """(outward normal, c, corners in order) of each facet; nothing if P is flat."""
-        planes = {}
-        for p, q, r in itertools.combinations(self.points, 3):
-            n = cross(minus(q, p), minus(r, p))
-            if not any(n):
-                continue
-            c, least, most = dot(n, p), 0, 0
-            for x in self.points:
-                side = dot(n, x) - c
-                least, most = min(least, side), max(most, side)
-                if least < 0 < most:
-                    break
-            else:
-                if least == most:
-                    return []
-                n = primitive(n if most == 0 else times(-1, n))
-                planes.setdefault(n, [x for x in self.points if dot(n, x) == dot(n, p)])
-        return [(n, dot(n, on[0]), self.in_order(n, on)) for n, on in planes.items()]
+    @staticmethod
+    def find_facets(a, b):
+        """(outward normal, c, corners in order) of each facet; nothing if P is flat. Two edges of a facet with different directions are
+        edges of A or B, moved: so every normal is across two lines, each through two points of one body."""
+        lines = {max(u, times(-1, u)) for body in (a, b) for p, q in itertools.combinations(set(body), 2) for u in [primitive(minus(q, p))]}
+        across, facets = (cross(u, v) for u, v in itertools.combinations(lines, 2)), []
+        for n in sorted({primitive(times(s, n)) for n in across if any(n) for s in (1, -1)}):
+            of_a, of_b = [dot(n, p) for p in a], [dot(n, q) for q in b]
+            if min(of_a) == max(of_a) and min(of_b) == max(of_b):
+                return []
+            on = [minus(q, p) for q, y in zip(b, of_b) if y == max(of_b) for p, x in zip(a, of_a) if x == min(of_a)]
+            if any(any(cross(minus(q, on[0]), minus(r, on[0]))) for q, r in itertools.combinations(on, 2)):
+                facets.append((n, dot(n, on[0]), Core.in_order(n, on)))
+        return facets
 
     @staticmethod
     def in_order(n, points):
