@@ -66,7 +66,7 @@ build_libraries() {
 pack() {
   local name=$1
   shift
-  tar --sort=name --mtime="$date" --owner=0 --group=0 --numeric-owner --mode=u+w,go-w,a+rX -c "$@" | xz -T1 -6 >"$to/$name.partial"
+  tar --sort=name --mtime="@$date" --owner=0 --group=0 --numeric-owner --mode=u+w,go-w,a+rX -c "$@" | xz -T1 -6 >"$to/$name.partial"
   mv "$to/$name.partial" "$to/$name"
   say "$(cd "$to" && sha256sum "$name")"
 }
@@ -76,7 +76,7 @@ tell_sources() {
   local stage=$1 package qualified
   mkdir -p "$stage/share/doc/fathom/libraries"
   cp "$root/packaging/static_readme.md" "$stage/README.md"
-  for package in $( (packages depth build | grep '^lib' | grep -v assimp && printf '%s\n' libc6-dev libstdc++-12-dev) | sort); do
+  for package in $( (packages depth build | grep '^lib' | grep -v assimp && printf '%s\n' libboost1.74-dev libc6-dev libstdc++-12-dev) | sort); do
     qualified=$package:$debian
     dpkg-query -W "$qualified" >/dev/null 2>&1 || qualified=$package
     dpkg-query -W -f '    ${source:Package} ${source:Version}\n' "$qualified"

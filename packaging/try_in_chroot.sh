@@ -174,7 +174,7 @@ cross_build() {
 
 # alone PROGRAM WORDS...: a program of the archive in a root where there is nothing else but what try_archive put there.
 alone() {
-  limited "${limit:-30m}" env -i PATH=/bin chroot "$work/empty" "${emulator[@]}" "/fathom/bin/$1" "${@:2}"
+  limited "${limit:-30m}" env -i PATH=/bin /usr/sbin/chroot "$work/empty" "${emulator[@]}" "/fathom/bin/$1" "${@:2}"
 }
 
 try_archive() {
