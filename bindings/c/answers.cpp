@@ -181,6 +181,7 @@ text::Json points_json(const fathom_body& body, const char* name) {
     throw std::invalid_argument(std::string(name) +
                                 ": expected points, or pieces, to compare the certificate with, found a shape");
   Body bare;
+  bare.dimension = body.body->dimension;
   if (body.body->pieces) bare.pieces = body.body->pieces;
   else bare.points = body.body->points;
   return files::body_json(bare);
@@ -188,7 +189,11 @@ text::Json points_json(const fathom_body& body, const char* name) {
 
 /// Refuses a certificate that is not about these bodies.
 fathom_check::Verdict verify_about(std::string_view text, const fathom_body& a, const fathom_body& b) {
-  const fathom_check::CaseFile bodies(text::Json{{"a", points_json(a, "a")}, {"b", points_json(b, "b")}}.text() + '\n');
+  const unsigned dimension = a.body->dimension;
+  if (b.body->dimension != dimension)
+    throw std::invalid_argument("expected two bodies of the plane, or two of space, found one of each");
+  const text::Json both{{"dimension", dimension}, {"a", points_json(a, "a")}, {"b", points_json(b, "b")}};
+  const fathom_check::CaseFile bodies(both.text() + '\n');
   const fathom_check::Verdict alone = fathom_check::verify(text);
   if (!alone.accepted()) return alone;
   fathom_check::Lines lines(text, fathom_check::longest_line);

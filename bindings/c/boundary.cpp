@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
+#include "fathom/plane.hpp"
 #include "fathom/solid.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
@@ -31,12 +32,13 @@ constexpr std::size_t most = std::size_t{1} << 31;  // of anything that is count
 
 std::string of_point(std::size_t i) { return "point " + std::to_string(i) + ": "; }
 
-GivenPoints points_from(const double* xyz, std::size_t count) {
+/// Points of so many coordinates each; z is 0 where they are two.
+GivenPoints points_from(const double* numbers, std::size_t count, std::size_t dimension) {
   require_count(count, "points");
-  require(xyz, "xyz");
+  require(numbers, dimension == 2 ? "xy" : "xyz");
   std::vector<std::array<double, 3>> points(count);
   for (std::size_t i = 0; i < count; ++i) {
-    points[i] = {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]};
+    std::copy_n(numbers + dimension * i, dimension, points[i].begin());
     for (const double x : points[i])
       if (!std::isfinite(x))
         throw std::invalid_argument(of_point(i) + "expected finite coordinates, found " + hex_text(x));
@@ -190,7 +192,15 @@ void fathom_text_free(char* text) { std::free(text); }
 // ---- bodies ----
 
 int fathom_body_from_points(const double* xyz, size_t count, fathom_body** body) {
-  return make_handle(body, [&] { return handle({points_from(xyz, count)}); });
+  return make_handle(body, [&] { return handle({points_from(xyz, count, 3)}); });
+}
+
+int fathom_body_from_plane_points(const double* xy, size_t count, fathom_body** body) {
+  return make_handle(body, [&] { return handle(fathom::in_plane({points_from(xy, count, 2)})); });
+}
+
+int fathom_body_in_plane(const fathom_body* body, fathom_body** plane) {
+  return make_handle(plane, [&] { return handle(fathom::in_plane(body_in(body))); });
 }
 
 int fathom_body_from_numbers(const char* const* xyz, size_t count, fathom_body** body) {
@@ -216,7 +226,12 @@ int fathom_body_from_pieces(fathom_body* const* pieces, size_t count, fathom_bod
     require_count(count, "pieces");
     require(pieces, "pieces");
     std::vector<fathom::Body> meshes;
-    for (std::size_t i = 0; i < count; ++i) meshes.push_back(piece_from(pieces[i], "piece " + std::to_string(i)));
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::string name = "piece " + std::to_string(i);
+      meshes.push_back(piece_from(pieces[i], name));
+      if (meshes.back().dimension != meshes.front().dimension)
+        throw std::invalid_argument(name + ": expected pieces that are all of the plane, or all of space");
+    }
     return handle(fathom::files::union_of(meshes));
   });
 }
@@ -300,7 +315,9 @@ int fathom_body_piece(const fathom_body* body, size_t index, fathom_body** piece
   return make_handle(piece, [&] {
     const fathom::Pieces& pieces = pieces_in(body);
     require_below(index, pieces.size(), "index", "pieces");
-    return handle({pieces[index]});
+    fathom::Body result{pieces[index]};
+    result.dimension = body->body->dimension;
+    return handle(std::move(result));
   });
 }
 

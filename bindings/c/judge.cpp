@@ -16,6 +16,7 @@
 
 #include "bindings/c/boundary.hpp"
 #include "fathom/numbers.hpp"
+#include "reference/solve/require_space.hpp"
 #include "verify/judge/fields.hpp"
 #include "verify/judge/truth.hpp"
 
@@ -270,6 +271,7 @@ Body seen_from(const Body& body, const NumberFormat& format, const char* body_na
 void judge_claim(const Body& a, const Body& b, const fathom_claim& claim, fathom_judgement& judgement,
                  std::string& sentence) {
   require_claim(claim);
+  solve::require_space(a, b, "fathom_judge");
   const NumberFormat format = format_of(claim);
   Tolerance tolerance{exact_value(claim.tol_relative), exact_value(claim.tol_absolute),
                       static_cast<unsigned long>(claim.tol_ulps), policy_of(claim)};

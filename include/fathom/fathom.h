@@ -80,6 +80,15 @@ FATHOM_API int fathom_body_from_points(const double* xyz, size_t count, fathom_b
  * which is 1/10, or a hexadecimal float. */
 FATHOM_API int fathom_body_from_numbers(const char* const* xyz, size_t count, fathom_body** body);
 
+/** Makes the convex polygon of `count` points of the plane, x y x y ..., as fathom_body_from_points
+ * does. Bodies of the plane are asked about together, and by no function that says "of space". In
+ * their answers every z is 0, and contacts are those of vertices and edges. */
+FATHOM_API int fathom_body_from_plane_points(const double* xy, size_t count, fathom_body** body);
+
+/** Makes the body of the plane that a body is whose z are all 0: points and radii stay, a sphere is
+ * a circle, a half-space a half-plane. FATHOM_BAD_INPUT of other bodies. */
+FATHOM_API int fathom_body_in_plane(const fathom_body* body, fathom_body** plane);
+
 /** Makes a shape of its short form, as the command line takes it: "sphere:r=1",
  * "capsule:r=0.1,h=0.5,at=1:2:3", "box:half=1:2:3,margin=1/10"; tapered_capsule, cylinder, cone,
  * frustum, ellipsoid and halfspace too. docs/shapes.md lists their fields. */
@@ -211,7 +220,7 @@ FATHOM_API int fathom_closer_than(const fathom_body* a, const fathom_body* b, do
  * body. */
 typedef struct fathom_prepared fathom_prepared;
 
-/** Prepares a body, which must be the hull of points. */
+/** Prepares a body of space, which must be the hull of points. */
 FATHOM_API int fathom_prepare(const fathom_body* body, fathom_prepared** prepared);
 
 /** Where a search begins: `count` differences b - a, at most 8, of the points a[i] of A and b[i] of
@@ -290,9 +299,9 @@ FATHOM_API int fathom_answer_hulls(const fathom_answer* answer, double* depth);
  * is known. */
 FATHOM_API int fathom_answer_dents(const fathom_answer* answer, char** text);
 
-/* Where the bodies touch: found by the first of these functions, which fathom_options::stop does
- * not end. Each is FATHOM_ABSENT where it is left out, by a word: "curved", a core is neither a
- * polytope nor a half-space; "incomplete", the search was stopped; "too-large", a core against a
+/* Where bodies of space touch: found by the first of these functions, which fathom_options::stop
+ * does not end. Each is FATHOM_ABSENT where it is left out, by a word: "curved", a core is neither
+ * a polytope nor a half-space; "incomplete", the search was stopped; "too-large", a core against a
  * half-space is a sum of too many points. */
 
 /** Sets how many patches there are: one after each way out that is listed; one of bodies that touch
@@ -528,9 +537,9 @@ typedef struct fathom_judgement {
 FATHOM_API void fathom_claim_init(fathom_claim* claim);
 FATHOM_API void fathom_judgement_init(fathom_judgement* judgement);
 
-/** Judges an answer about A and B, bodies of any kind that fathom_depth takes. `sentence` gets what
- * is wrong, for people: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6". It may be NULL.
- * After a failure the judgement is as fathom_judgement_init leaves it. */
+/** Judges an answer about A and B, bodies of space of any kind that fathom_depth takes. `sentence`
+ * gets what is wrong, for people: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6". It may
+ * be NULL. After a failure the judgement is as fathom_judgement_init leaves it. */
 FATHOM_API int fathom_judge(const fathom_body* a, const fathom_body* b, const fathom_claim* claim, fathom_judgement* judgement,
                             char** sentence);
 

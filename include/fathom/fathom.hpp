@@ -12,6 +12,7 @@
 #include "fathom/monitor.hpp"
 #include "fathom/numbers.hpp"
 #include "fathom/overlap.hpp"
+#include "fathom/plane.hpp"
 #include "fathom/prepared.hpp"
 #include "fathom/shape.hpp"
 #include "fathom/signed_depth.hpp"

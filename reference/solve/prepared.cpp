@@ -25,6 +25,7 @@
 #include "reference/polytope/polytope.hpp"
 #include "reference/polytope/position.hpp"
 #include "reference/solve/depth.hpp"
+#include "reference/solve/require_space.hpp"
 
 namespace fathom {
 
@@ -91,6 +92,7 @@ struct Prepared::Parts {
 Prepared::Prepared(const Body& polytope) {
   if (polytope.shape || polytope.pieces || polytope.points.empty())
     throw std::invalid_argument("only a polytope with points can be prepared");
+  solve::require_space(polytope, polytope, "Prepared");
   const kernels::DefaultFloatEnvironment environment;
   parts = std::make_shared<const Parts>(polytope);
 }

@@ -98,7 +98,7 @@ def test_bodies_in_arrays():
     (lambda: fathom.depths(np.zeros((2, 4, 3)), np.zeros((3, 4, 3))), ValueError, "as many bodies of a as of b, found 2 and 3"),
     (lambda: fathom.depths(np.zeros((2, 4, 3)), CUBE, poses_a=[np.eye(4)]), ValueError, "as many bodies of a as poses of a, found 2 and 1"),
     (lambda: fathom.depths(np.zeros((2, 4, 3)), CUBE, poses_b=[np.eye(4)]), ValueError, "as many bodies of a as poses of b, found 2 and 1"),
-    (lambda: fathom.depths(np.zeros((2, 4, 2)), CUBE), ValueError, "a: expected an array of n x m x 3 coordinates, found one of 2 x 4 x 2"),
+    (lambda: fathom.depths(np.zeros((2, 4, 4)), CUBE), ValueError, "a: expected an array of n x m x 3 or n x m x 2 coordinates, found one of 2 x 4 x 4"),
     (lambda: fathom.depths(CUBE, np.zeros((2, 0, 3))), ValueError, "pair 0: b: expected at least one point, found none"),
     (lambda: fathom.depths([(CUBE, CUBE)], poses_b=[np.eye(4)]), TypeError, "expected poses with two bodies"),
     (lambda: fathom.depths(CUBE, CUBE, poses_b=7), TypeError, "poses_b: expected a sequence of poses"),

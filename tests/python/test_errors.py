@@ -25,9 +25,9 @@ WIDE, BELOW = [("1e60000", 0, 0), (0, 1, 0), (0, 0, 1), (-1, -1, -1)], [(0, 0, 0
 @pytest.mark.parametrize("body, sentence", [
     (np.zeros((0, 3)), "a: expected at least one point, found none"),
     ([], "a: expected at least one point, found none"),
-    (np.zeros(3), "a: expected an array of n x 3 coordinates, found one of 3"),
-    (np.zeros((4, 2)), "a: expected an array of n x 3 coordinates, found one of 4 x 2"),
-    (np.zeros((4, 3, 1)), "a: expected an array of n x 3 coordinates, found one of 4 x 3 x 1"),
+    (np.zeros(3), "a: expected an array of n x 3 or n x 2 coordinates, found one of 3"),
+    (np.zeros((4, 4)), "a: expected an array of n x 3 or n x 2 coordinates, found one of 4 x 4"),
+    (np.zeros((4, 3, 1)), "a: expected an array of n x 3 or n x 2 coordinates, found one of 4 x 3 x 1"),
     (np.array([[0, 0, 0], [0, NAN, 0]]), "a: expected finite coordinates, found others in row 1"),
     (np.array([[0, INF, 0]]), "a: expected finite coordinates"),
     ([(0, 0, 0), (0, 0)], "a: point 1: expected three numbers, found (0, 0)"),

@@ -11,8 +11,9 @@
 (Fraction(-1, 4), Fraction(0, 1), Fraction(0, 1))
 
 A body is the convex hull of an array of points, of a list of points whose coordinates may be Fractions or texts, or of the `vertices` of
-anything that has some (trimesh's meshes do); or a shape: `sphere`, `capsule`, `cylinder` and so on. Input is never rounded: floats stand
-for their exact values. Every float of an answer is the correctly rounded value; the exact values are under `.exact`.
+anything that has some (trimesh's meshes do); or a shape: `sphere`, `capsule`, `cylinder` and so on. Points of two coordinates make a body
+of the plane, as the shapes of `fathom.plane` are. Input is never rounded: floats stand for their exact values. Every float of an answer is
+the correctly rounded value; the exact values are under `.exact`.
 
 A mesh with `faces` that is not convex is answered as its hull, with a NotConvexWarning. `union_depth` takes bodies that are not convex, as
 lists of convex pieces.
@@ -40,6 +41,7 @@ try:
 except ImportError as fault:
     raise ImportError("fathom._fathom cannot be loaded: is it built for this Python? docs/python.md says how") from fault
 
+from fathom import plane
 from fathom._answers import Depth, Depths, Exact, NotConvexWarning, Optimum, Root, check, Checked, depth, depths, distance, width, Width
 from fathom._bodies import (Body, Convexity, Coverage, Pose, box, capsule, cone, convexity, coverage, cylinder, ellipsoid, frustum,
                             halfspace, pose, read_mesh, read_pieces, solid, sphere, tapered_capsule, union)
@@ -55,5 +57,5 @@ __all__ = ["Approx", "Body", "Case", "Checked", "Convexity", "Coverage", "Depth"
            "Judgement", "Metric", "NotConvexWarning", "OptimalCone", "Optimum", "Patch", "PatchCorner", "PieceContact", "Pose", "Prepared",
            "Ray", "Record", "Root", "Study", "UnionBounds", "UnionDepth", "UnionDistance", "UnionOptimum", "VertexWeights", "Width",
            "approx", "box", "capsule", "cases", "check", "closer_than", "cone", "convexity", "coverage", "cylinder", "depth", "depths",
-           "distance", "ellipsoid", "family", "frustum", "golden", "growth", "halfspace", "judge", "metric", "overlap", "pose", "ray",
-           "read_mesh", "read_pieces", "solid", "sphere", "study", "tapered_capsule", "union", "union_depth", "width", "__version__"]
+           "distance", "ellipsoid", "family", "frustum", "golden", "growth", "halfspace", "judge", "metric", "overlap", "plane", "pose",
+           "ray", "read_mesh", "read_pieces", "solid", "sphere", "study", "tapered_capsule", "union", "union_depth", "width", "__version__"]

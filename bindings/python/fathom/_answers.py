@@ -72,7 +72,7 @@ class Optimum:
     translation  moving A by it makes the interiors disjoint
     normal       the direction as integers, exact and primitive
     contact      {"kind": "facet-vertex", "a": (0, 1, 2), "b": (5,)}: the features that touch then, as indices of points; or None
-    exact        the translation, as three Fractions; of shapes (n, alpha, beta), for alpha n + beta n/|n|
+    exact        the translation, as Fractions; of shapes (n, alpha, beta), for alpha n + beta n/|n|
     """
 
     __slots__ = ("direction", "translation", "normal", "contact", "exact")
@@ -80,7 +80,7 @@ class Optimum:
     def __init__(self, fields: dict[str, Any]):
         self.direction: FloatArray = fields["direction"]
         self.translation: FloatArray = fields["translation"]
-        self.normal: tuple[int, int, int] = fields["normal"]
+        self.normal: tuple[int, ...] = fields["normal"]
         self.contact: dict[str, Any] | None = fields["contact"]
         self.exact = fields["exact_translation"]
 
@@ -120,18 +120,18 @@ class Exact:
         return None if value is None or value[0] != 0 else max(-value[1], Fraction(0))
 
     @property
-    def normal(self) -> tuple[int, int, int]:
+    def normal(self) -> tuple[int, ...]:
         """The direction as primitive integers."""
         return self._answer.normal
 
     @property
-    def around(self) -> tuple[int, int, int] | None:
+    def around(self) -> tuple[int, ...] | None:
         """The axis of bodies of revolution, if every rotation about it maps the direction to one that is as good; else None."""
         return self._answer.around
 
     @property
     def translation(self) -> Any:
-        """Three Fractions; of shapes (n, alpha, beta), which means alpha n + beta n/|n|; None if only bounds are known."""
+        """Fractions; of shapes (n, alpha, beta), which means alpha n + beta n/|n|; None if only bounds are known."""
         return self._answer.exact_translation
 
     @property
@@ -310,8 +310,9 @@ def depth(a: BodyLike, b: BodyLike, *, pose_a: PoseLike = None, pose_b: PoseLike
     """Returns the exact penetration depth of two convex bodies, or their distance.
 
     a, b            bodies: see the module
-    pose_a, pose_b  exact maps of the bodies: rows of 3 x 4 or 4 x 4 numbers, `fathom.pose(...)`, or a text as on the command line:
-                    "xyz=0,0,1.5 rpy=0,0,45deg". Rotations of floats are hardly ever exact: what is answered is the body under that matrix
+    pose_a, pose_b  exact maps of the bodies: rows of 3 x 4 or 4 x 4 numbers, in the plane 2 x 3 or 3 x 3, `fathom.pose(...)`, or a text as
+                    on the command line: "xyz=0,0,1.5 rpy=0,0,45deg". Rotations of floats are hardly ever exact: what is answered is the
+                    body under that matrix
     method          "automatic", "exact", "naive", "certificate": the answer is the same
     optima          at most so many shortest ways out are listed; all are counted
     bits            of the bounds, for cylinders, cones, ellipsoids and half-spaces against them
@@ -388,9 +389,12 @@ class Depths(list["Depth | Exception"]):
 
     @property
     def direction(self) -> FloatArray:
-        """Unit vectors, of shape (n, 3)."""
-        none = np.full(3, np.nan)
-        return np.array([hit.direction if isinstance(hit, Depth) else none for hit in self]).reshape(-1, 3)
+        """Unit vectors, of shape (n, 3); (n, 2) of bodies of the plane."""
+        lengths = {len(hit.direction) for hit in self if isinstance(hit, Depth)} or {3}
+        if len(lengths) > 1:
+            raise ValueError("expected pairs that are all of the plane, or all of space, found some of each")
+        none = np.full(*lengths, np.nan)
+        return np.array([hit.direction if isinstance(hit, Depth) else none for hit in self]).reshape(-1, *lengths)
 
     @property
     def gradients(self) -> FloatArray:
@@ -413,9 +417,11 @@ def depths(pairs: Iterable[tuple[BodyLike, BodyLike]] | BodyLike, b: BodyLike | 
     """Answers many pairs: `depths(pairs)`; two bodies in many places: `depths(a, b, poses_b=poses)`; or arrays of bodies: `depths(a, b)`.
 
     pairs             pairs of bodies
-    a, b              a body for all pairs, or an array of shape (n, m, 3) with n bodies of m points each: where both are arrays, the first
-                      of a with the first of b, and so on. Nothing is made of Python between an array of floats and the answers
-    poses_a, poses_b  poses of a and of b, an array of shape (n, 4, 4) or (n, 3, 4) or any sequence: where both are given, as many of both
+    a, b              a body for all pairs, or an array of shape (n, m, 3), in the plane (n, m, 2), with n bodies of m points each: where
+                      both are arrays, the first of a with the first of b, and so on. Nothing is made of Python between an array of
+                      floats and the answers
+    poses_a, poses_b  poses of a and of b, an array of shape (n, 4, 4) or (n, 3, 4), in the plane (n, 2, 3), or any sequence: where both are
+                      given, as many of both
     threads           how many, or all cores; fewer where the system gives no more
     method, optima, bits  as for `depth`
     errors            "raise": the first pair that is wrong, by its place, raises ValueError or TypeError. "return": a wrong pair has its

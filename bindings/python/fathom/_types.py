@@ -13,6 +13,7 @@ from fathom import _fathom
 
 Number = Union[int, float, Fraction, Decimal, str, "np.number[Any]"]
 Triple = Union[Sequence[Number], npt.NDArray[Any]]
+Pair = Triple
 
 
 class HasVertices(Protocol):
@@ -27,3 +28,4 @@ UnionLike = Union[BodyLike, Iterable[BodyLike]]
 PoseLike = Union["_fathom.Pose", str, npt.NDArray[Any], Sequence[Sequence[Number]], None]
 FloatArray = npt.NDArray[np.float64]
 FractionTriple = "tuple[Fraction, Fraction, Fraction]"
+Fractions = "tuple[Fraction, ...]"  #: three, or two of bodies of the plane

@@ -7,7 +7,7 @@ from typing import Any, Callable, NamedTuple
 
 from fathom import _fathom
 from fathom._answers import PairAnswer
-from fathom._types import FloatArray, FractionTriple, PoseLike, UnionLike
+from fathom._types import FloatArray, Fractions, PoseLike, UnionLike
 
 
 class PieceContact(NamedTuple):
@@ -15,7 +15,7 @@ class PieceContact(NamedTuple):
 
     pieces: tuple[int, int]  #: their indices, A's first
     direction: FloatArray  #: unit vector from B to A, correctly rounded: a plane across it has the two pieces on its two sides
-    normal: tuple[int, int, int]  #: the direction as integers, exact and primitive
+    normal: tuple[int, ...]  #: the direction as integers, exact and primitive
     #: {"kind": "facet-vertex", "a": (0, 1, 2), "b": (5,)}: the features that meet, as indices of points of the pieces
     contact: dict[str, Any]
     #: of bodies made by `fathom.solid`, what of the mesh holds the contact, as {"kind": "edge", "ids": (3, 7)}: faces by their
@@ -28,7 +28,7 @@ class UnionOptimum(NamedTuple):
     """One shortest way out."""
 
     translation: FloatArray  #: moving A by it makes the interiors disjoint; each component correctly rounded
-    exact: FractionTriple  #: the same as three Fractions
+    exact: Fractions  #: the same, exactly
     clearance: bool  #: False for an exact fit: all translations near it make the bodies overlap or touch
     contacts: list[PieceContact]  #: all pairs of pieces that touch then
 
@@ -40,7 +40,7 @@ class UnionDistance(NamedTuple):
     squared: Fraction
     pieces: tuple[int, int]  #: the first pair that is nearest
     translation: FloatArray  #: of A, after which the bodies touch
-    witness: tuple[FractionTriple, FractionTriple]  #: a point of A and one of B that are nearest
+    witness: tuple[Fractions, Fractions]  #: a point of A and one of B that are nearest
     contact: dict[str, Any]  #: the features that are nearest
     mesh_a: list[dict[str, Any]]  #: of bodies made by `fathom.solid`, what of the mesh is nearest, as in PieceContact
     mesh_b: list[dict[str, Any]]

@@ -21,13 +21,13 @@
 #include "reference/rounded/coordinates.hpp"
 #include "reference/shapes/body_notes.hpp"
 #include "reference/shapes/core.hpp"
+#include "reference/solve/require_space.hpp"
 #include "verify/check/check.hpp"
 #include "verify/check/reader.hpp"
 
 namespace fathom::python {
 namespace {
 
-using py::literals::operator""_a;
 using py::literals::operator""_a;
 
 py::str status(const PairAnswer& asked) { return std::string(asked.answer.status_name()); }
@@ -54,12 +54,12 @@ py::object squares(const PairAnswer& asked) {
 
 py::object direction(const PairAnswer& asked) {
   const Part<Vector> n = asked.answer.direction();
-  return n ? py::object(unit(*n)) : py::object(py::none());
+  return n ? py::object(unit(*n, asked.answer.dimension())) : py::object(py::none());
 }
 
 py::object normal(const PairAnswer& asked) {
   const Part<Vector> n = asked.answer.direction();
-  return n ? py::object(integers(*n)) : py::object(py::none());
+  return n ? py::object(integers(*n, asked.answer.dimension())) : py::object(py::none());
 }
 
 py::object around(const PairAnswer& asked) {
@@ -75,55 +75,66 @@ std::optional<Point> rational_translation(const PairAnswer& asked) {
   return unions->apart ? unions->apart->distance.translation : unions->optima.front().translation;
 }
 
+/// (n, alpha, beta).
+py::tuple along_normal(const AlongNormal& t, unsigned dimension) {
+  return py::make_tuple(integers(t.normal, dimension), fraction(t.alpha), fraction(t.beta));
+}
+
 py::object translation(const PairAnswer& asked, bool exact) {
+  const unsigned dimension = asked.answer.dimension();
   if (const std::optional<Point> t = rational_translation(asked))
-    return exact ? py::object(fractions(*t)) : py::object(array(*t));
+    return exact ? py::object(fractions(*t, dimension)) : py::object(array(*t, dimension));
   const Part<SurdPoint> rounding = asked.answer.translation();
   if (!rounding) return py::none();
-  if (!exact) return array(rounded::nearest_binary64(*rounding));
-  const AlongNormal t = asked.of_shapes()->translations().front();
-  return py::make_tuple(integers(t.normal), fraction(t.alpha), fraction(t.beta));
+  if (!exact) return array(rounded::nearest_binary64(*rounding), dimension);
+  return along_normal(asked.of_shapes()->translations().front(), dimension);
 }
 
 py::object witness_in_python(const PairAnswer& asked, bool exact) {
-  if (const Depth* const depth = asked.depth()) return witness(std::optional(depth->contact_points()), exact);
+  const unsigned dimension = asked.answer.dimension();
+  if (const Depth* const depth = asked.depth())
+    return witness(std::optional(depth->contact_points()), exact, dimension);
   if (const UnionDepth* const unions = asked.of_unions())
-    return witness(unions->apart ? std::optional(unions->apart->distance.witness) : std::nullopt, exact);
+    return witness(unions->apart ? std::optional(unions->apart->distance.witness) : std::nullopt, exact, dimension);
   const std::optional<RoundedWitness> found = asked.of_shapes()->witness();
   if (!found) return py::none();
-  return py::make_tuple(rounded_point(found->a, exact), rounded_point(found->b, exact));
+  return py::make_tuple(rounded_point(found->a, exact, dimension), rounded_point(found->b, exact, dimension));
 }
 
-py::dict optimum(const Vector& n, const Contact* touching, py::array_t<double> translation, py::object exact) {
-  return py::dict("direction"_a = unit(n), "normal"_a = integers(n), "translation"_a = std::move(translation),
-                  "exact_translation"_a = std::move(exact), "contact"_a = contact(touching));
+py::dict optimum(const Vector& n, const Contact* touching, py::array_t<double> translation, py::object exact,
+                 unsigned dimension) {
+  return py::dict("direction"_a = unit(n, dimension), "normal"_a = integers(n, dimension),
+                  "translation"_a = std::move(translation), "exact_translation"_a = std::move(exact),
+                  "contact"_a = contact(touching));
 }
 
-py::dict touch(const PieceContact& met) {
-  return py::dict("pieces"_a = py::make_tuple(met.a, met.b), "direction"_a = unit(met.direction),
-                  "normal"_a = integers(met.direction), "contact"_a = contact(&met.contact),
+py::dict touch(const PieceContact& met, unsigned dimension) {
+  return py::dict("pieces"_a = py::make_tuple(met.a, met.b), "direction"_a = unit(met.direction, dimension),
+                  "normal"_a = integers(met.direction, dimension), "contact"_a = contact(&met.contact),
                   "mesh_a"_a = features(met.mesh_a), "mesh_b"_a = features(met.mesh_b));
 }
 
-py::list optima_of_unions(const UnionDepth& found) {
+py::list optima_of_unions(const UnionDepth& found, unsigned dimension) {
   py::list list;
   for (const UnionOptimum& optimum : found.optima) {
     py::list contacts;
-    for (const PieceContact& met : optimum.contacts) contacts.append(touch(met));
-    list.append(py::dict("translation"_a = array(optimum.translation), "exact"_a = fractions(optimum.translation),
-                         "clearance"_a = optimum.clearance, "contacts"_a = contacts));
+    for (const PieceContact& met : optimum.contacts) contacts.append(touch(met, dimension));
+    list.append(py::dict("translation"_a = array(optimum.translation, dimension),
+                         "exact"_a = fractions(optimum.translation, dimension), "clearance"_a = optimum.clearance,
+                         "contacts"_a = contacts));
   }
   return list;
 }
 
 py::list optima(const PairAnswer& answer) {
-  if (const UnionDepth* const unions = answer.of_unions()) return optima_of_unions(*unions);
+  const unsigned dimension = answer.answer.dimension();
+  if (const UnionDepth* const unions = answer.of_unions()) return optima_of_unions(*unions, dimension);
   py::list list;
   const Depth* const core = answer.answer.core();
   if (const Depth* const depth = answer.depth()) {
     for (const Optimum& o : depth->optima()) {
       const Point t = o.translation();
-      list.append(optimum(o.direction, &o.contact, array(t), fractions(t)));
+      list.append(optimum(o.direction, &o.contact, array(t, dimension), fractions(t, dimension), dimension));
     }
     return list;
   }
@@ -132,8 +143,8 @@ py::list optima(const PairAnswer& answer) {
     const AlongNormal& t = translations[i];
     const Contact* const touching =
         core && i < core->optima().size() ? &core->optima()[i].contact : answer.of_shapes()->contact();
-    list.append(optimum(t.normal, touching, array(rounded::nearest_binary64(t)),
-                        py::make_tuple(integers(t.normal), fraction(t.alpha), fraction(t.beta))));
+    list.append(optimum(t.normal, touching, array(rounded::nearest_binary64(t), dimension), along_normal(t, dimension),
+                        dimension));
   }
   return list;
 }
@@ -149,9 +160,10 @@ py::object apart(const PairAnswer& answer) {
   if (!unions || !unions->apart) return py::none();
   const UnionDistance& apart = *unions->apart;
   const Distance& d = apart.distance;
+  const unsigned dimension = answer.answer.dimension();
   return py::dict("distance"_a = root_binary64(d.squared), "squared"_a = fraction(d.squared),
-                  "pieces"_a = py::make_tuple(apart.a, apart.b), "translation"_a = array(d.translation),
-                  "witness"_a = witness(d.witness, true), "contact"_a = contact(&d.contact),
+                  "pieces"_a = py::make_tuple(apart.a, apart.b), "translation"_a = array(d.translation, dimension),
+                  "witness"_a = witness(d.witness, true, dimension), "contact"_a = contact(&d.contact),
                   "mesh_a"_a = features(apart.mesh_a), "mesh_b"_a = features(apart.mesh_b));
 }
 
@@ -306,10 +318,10 @@ py::object contact(const Contact* touching) {
                   "b"_a = py::tuple(py::cast(touching->b)));
 }
 
-py::object witness(const std::optional<Witness>& found, bool exact) {
+py::object witness(const std::optional<Witness>& found, bool exact, unsigned dimension) {
   if (!found) return py::none();
-  if (exact) return py::make_tuple(fractions(found->a), fractions(found->b));
-  return py::make_tuple(array(found->a), array(found->b));
+  if (exact) return py::make_tuple(fractions(found->a, dimension), fractions(found->b, dimension));
+  return py::make_tuple(array(found->a, dimension), array(found->b, dimension));
 }
 
 py::dict weights(const std::vector<Weight>& of_points) {
@@ -318,11 +330,11 @@ py::dict weights(const std::vector<Weight>& of_points) {
   return result;
 }
 
-py::array_t<double> unit(const Vector& n) { return array(rounded::nearest_unit(n)); }
+py::array_t<double> unit(const Vector& n, unsigned dimension) { return array(rounded::nearest_unit(n), dimension); }
 
-py::object rounded_point(const RoundedPoint& p, bool exact) {
-  if (exact) return py::make_tuple(fractions(p.core), integers(p.normal), fraction(p.distance));
-  return array(rounded::nearest_binary64(p));
+py::object rounded_point(const RoundedPoint& p, bool exact, unsigned dimension) {
+  if (exact) return py::make_tuple(fractions(p.core, dimension), integers(p.normal, dimension), fraction(p.distance));
+  return array(rounded::nearest_binary64(p), dimension);
 }
 
 void bind_answers(py::module_& module) {
@@ -360,8 +372,9 @@ void bind_answers(py::module_& module) {
       "depth",
       [](const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b,
          const std::string& method, const std::optional<std::size_t>& optima, unsigned bits) {
-        Asked asked{body_from(a, py::none(), "a"), body_from(b, py::none(), "b"), pose_from(pose_a, "a"),
-                    pose_from(pose_b, "b")};
+        Asked asked{body_from(a, py::none(), "a"), body_from(b, py::none(), "b")};
+        asked.pose_a = pose_from(pose_a, "a", asked.a.dimension);
+        asked.pose_b = pose_from(pose_b, "b", asked.b.dimension);
         const Question how = question(method, optima, bits);
         return watched([&](Monitor& monitor) { return answer_to(std::move(asked), how, monitor); });
       },
@@ -370,6 +383,7 @@ void bind_answers(py::module_& module) {
       "width",
       [](const py::object& body, const py::object& pose, unsigned bits) {
         const Body one = body_from(body, pose, "body", nullptr, shapes::width_of_union);
+        solve::require_space(one, one, "width");
         if (one.shape) shapes::require_width(*one.shape);
         return watched([&](Monitor& monitor) { return answer_to({one, one}, {.options = {}, .bits = bits}, monitor); });
       },

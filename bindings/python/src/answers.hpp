@@ -126,16 +126,18 @@ PairAnswer answer_to(Asked asked, const Question& question, Monitor& monitor);
 py::dict predicates(const PredicateCounts& counts);
 /// Returns a dict of kind, a, b; None for nullptr.
 py::object contact(const Contact* contact);
-/// Returns dicts of kind, ids.
-py::list features(const std::vector<MeshFeature>& of_mesh);
-/// Returns a pair of points, as floats or fractions; None for nullopt.
-py::object witness(const std::optional<Witness>& witness, bool exact);
 /// Returns a dict of weights by the indices of the points.
 py::dict weights(const std::vector<Weight>& of_points);
+/// Returns dicts of kind, ids.
+py::list features(const std::vector<MeshFeature>& of_mesh);
+// With dimension 2, of the plane, these leave out z, as those of numbers.hpp do.
+
+/// Returns a pair of points, as floats or fractions; None for nullopt.
+py::object witness(const std::optional<Witness>& witness, bool exact, unsigned dimension = 3);
 /// Each component of n / |n|, correctly rounded.
-py::array_t<double> unit(const Vector& n);
+py::array_t<double> unit(const Vector& n, unsigned dimension = 3);
 /// Returns floats, or (p, n, r) for p + r n/|n| if `exact`.
-py::object rounded_point(const RoundedPoint& p, bool exact);
+py::object rounded_point(const RoundedPoint& p, bool exact, unsigned dimension = 3);
 
 /// Returns the contact manifold of an answer, computed at the first call; null if the search was
 /// stopped.

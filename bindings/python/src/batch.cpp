@@ -192,10 +192,11 @@ class Side {
     if (!stack_) return body_;
     if (const auto* const fault = std::get_if<std::string>(&(*stack_)[i]))
       throw py::value_error(place + name_ + ": " + *fault);
-    return {std::get<GivenPoints>((*stack_)[i])};
+    return std::get<Body>((*stack_)[i]);
   }
   [[nodiscard]] std::optional<files::GivenPose> pose(std::size_t i, const std::string& place) const {
-    return poses_.is_none() ? std::nullopt : pose_from(py::object(poses_[py::int_(i)]), (place + name_).c_str());
+    if (poses_.is_none()) return std::nullopt;
+    return pose_from(py::object(poses_[py::int_(i)]), (place + name_).c_str(), body(i, place).dimension);
   }
 
   static void require_same(const Count& x, const Count& y) {
@@ -213,7 +214,7 @@ class Side {
   }
 
   std::string name_;
-  std::optional<std::vector<MaybePoints>> stack_;
+  std::optional<std::vector<MaybeBody>> stack_;
   Body body_;
   py::object poses_;
   std::optional<Count> count_;

@@ -14,15 +14,18 @@
 
 #include "bindings/python/src/numbers.hpp"
 #include "fathom/files.hpp"
+#include "fathom/plane.hpp"
 #include "fathom/shape.hpp"
 #include "fathom/solid.hpp"
 #include "fathom/union.hpp"
+#include "reference/answer/plane.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/shapes/body_notes.hpp"
 #include "reference/shapes/core.hpp"
+#include "reference/solve/require_space.hpp"
 
 namespace fathom::python {
 namespace {
@@ -59,12 +62,37 @@ Body given_body(py::handle from, const char* no_union) {
       body.faces = std::shared_ptr<const MeshFaces>(new MeshFaces(*body.faces), RememberedFact());
     return convex(body, no_union);
   }
-  Body body{given_points(from)};
+  Body body = given_points(from);
   body.faces = given_faces(from, body.points.size());
+  if (body.faces && body.dimension == 2) refuse("expected no faces beside points of two coordinates, found some");
   return body;
 }
 
-files::GivenPose given_pose(py::handle from) {
+/// Returns the pose of 2 rows of 3 numbers, or 3 with the last 0 0 1: it leaves z as it is.
+files::GivenPose plane_pose(const py::sequence& rows) {
+  files::GivenPose pose;
+  Pose& matrix = pose.matrix.emplace();
+  matrix[2] = {0, 0, 1, 0};
+  for (std::size_t i = 0; i < py::len(rows); ++i) {
+    const py::object row = rows[i];  // indexing an array makes each row when it is read
+    if (!PySequence_Check(row.ptr()) || py::len(row) != 3)
+      refuse("expected a pose in the plane of 2 or 3 rows of 3 numbers");
+    const auto entries = py::reinterpret_borrow<py::sequence>(row);
+    const Point p = point_from(entries);
+    if (i < 2) matrix[i] = {p.x, p.y, 0, p.z};
+    else if (p != Point{0, 0, 1}) refuse("expected 0 0 1 as the last row of a pose in the plane, found another");
+  }
+  return pose;
+}
+
+/// Returns whether the first row has three numbers.
+bool is_plane_pose(const py::sequence& rows) {
+  const py::object first = rows[0];
+  return PySequence_Check(first.ptr()) && py::len(first) == 3;
+}
+
+/// `dimension`: that of the body, or 2 if it is not known.
+files::GivenPose given_pose(py::handle from, unsigned dimension) {
   if (py::isinstance<files::GivenPose>(from)) return from.cast<files::GivenPose>();
   std::string fault;
   files::GivenPose pose;
@@ -73,9 +101,10 @@ files::GivenPose given_pose(py::handle from) {
   } else {
     std::vector<std::array<mpq_class, 4>> rows;
     const bool listed = PySequence_Check(from.ptr());
-    if (!listed || (py::len(from) != 3 && py::len(from) != 4)) refuse("expected a pose of 3 or 4 rows of 4 numbers");
-    for (const py::object row :
-         py::reinterpret_borrow<py::sequence>(from)) {  // indexing an array makes each row when it is read
+    if (!listed || py::len(from) < 2 || py::len(from) > 4) refuse("expected a pose of 3 or 4 rows of 4 numbers");
+    const auto given = py::reinterpret_borrow<py::sequence>(from);
+    if (dimension == 2 && py::len(given) < 4 && is_plane_pose(given)) return plane_pose(given);
+    for (const py::object row : given) {  // indexing an array makes each row when it is read
       if (!PySequence_Check(row.ptr()) || py::len(row) != 4) refuse("expected a pose of 3 or 4 rows of 4 numbers");
       const auto entries = py::reinterpret_borrow<py::sequence>(row);
       rows.push_back(
@@ -87,35 +116,41 @@ files::GivenPose given_pose(py::handle from) {
   return pose;
 }
 
-py::object in_python(const GivenPoints& given) {
+py::object in_python(const GivenPoints& given, unsigned dimension) {
   if (given.in_binary64()) {
     const auto points = given.binary64();
-    py::array_t<double> array({static_cast<py::ssize_t>(points.size()), py::ssize_t{3}});
+    py::array_t<double> array({static_cast<py::ssize_t>(points.size()), static_cast<py::ssize_t>(dimension)});
     auto view = array.mutable_unchecked<2>();
     for (py::ssize_t i = 0; i < view.shape(0); ++i)
-      for (py::ssize_t j = 0; j < 3; ++j) view(i, j) = points[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+      for (py::ssize_t j = 0; j < view.shape(1); ++j)
+        view(i, j) = points[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
     return array;
   }
   py::list list;
-  for (const Point& p : given) list.append(fractions(p));
+  for (const Point& p : given) list.append(fractions(p, dimension));
   return list;
 }
 
 py::object points_in_python(const Body& body) {
-  return body.shape || body.pieces ? py::object(py::none()) : in_python(body.points);
+  return body.shape || body.pieces ? py::object(py::none()) : in_python(body.points, body.dimension);
 }
 
 py::object pieces_in_python(const Body& body) {
   if (!body.pieces) return py::none();
   py::list list;
-  for (const std::vector<Point>& piece : *body.pieces) list.append(in_python(given_form(piece)));
+  for (const std::vector<Point>& piece : *body.pieces) list.append(in_python(given_form(piece), body.dimension));
   return py::object(std::move(list));
 }
 
 /// Returns whether the body has no interior; of a union, whether no piece has one.
 bool has_no_interior(const Body& body) {
-  if (!body.pieces) return is_flat(files::shape_of(body));
-  return std::ranges::all_of(*body.pieces, [](const std::vector<Point>& piece) { return is_flat(hull(piece)); });
+  const auto flat = [](const Body& one) {
+    return one.dimension == 2 ? answer::is_flat_in_plane(one) : is_flat(files::shape_of(one));
+  };
+  if (!body.pieces) return flat(body);
+  return std::ranges::all_of(*body.pieces, [&](const std::vector<Point>& piece) {
+    return flat({.points = piece, .dimension = body.dimension});
+  });
 }
 
 py::object description(const Body& body) {
@@ -124,15 +159,17 @@ py::object description(const Body& body) {
 
 // ---- what pickle keeps ----
 
-/// Returns the body as the JSON of a case, and its faces as corners and their ends.
+/// Returns the body as the JSON of a case, its faces as corners and their ends, and its dimension.
 py::tuple state_of(const Body& body) {
   const MeshFaces faces = body.faces ? *body.faces : MeshFaces{};
-  return py::make_tuple(files::body_json(body).text(), body.faces != nullptr, faces.corners, faces.ends);
+  return py::make_tuple(files::body_json(body).text(), body.faces != nullptr, faces.corners, faces.ends,
+                        body.dimension);
 }
 
 Body body_of_state(const std::string& json, bool has_faces, std::vector<std::uint32_t> corners,
-                   std::vector<std::uint32_t> ends) {
-  CaseItem item = parse_case("{\"a\":" + json + ",\"b\":{\"vertices\":[[0,0,0]]}}", "body");
+                   std::vector<std::uint32_t> ends, unsigned dimension) {
+  CaseItem item =
+      parse_case("{\"dimension\":" + std::to_string(dimension) + ",\"a\":" + json + ",\"b\":" + json + "}", "body");
   if (!item.ok()) throw item.error();
   Body body = std::move(std::get<Case>(item.outcome).a);
   if (has_faces) body.faces = std::make_shared<const MeshFaces>(MeshFaces{std::move(corners), std::move(ends)});
@@ -140,15 +177,17 @@ Body body_of_state(const std::string& json, bool has_faces, std::vector<std::uin
 }
 
 std::string described(const Body& body) {
-  if (body.pieces) return "<fathom.Body, a union of " + std::to_string(body.pieces->size()) + " pieces>";
-  if (!body.shape) return "<fathom.Body of " + std::to_string(body.points.size()) + " points>";
-  if (shapes::is_halfspace(*body.shape)) return "<fathom.Body, a half-space>";
-  return "<fathom.Body, a shape>";
+  const std::string where = body.dimension == 2 ? " of the plane>" : ">";
+  if (body.pieces) return "<fathom.Body, a union of " + std::to_string(body.pieces->size()) + " pieces" + where;
+  if (!body.shape) return "<fathom.Body of " + std::to_string(body.points.size()) + " points" + where;
+  if (shapes::is_halfspace(*body.shape))
+    return body.dimension == 2 ? "<fathom.Body, a half-plane>" : "<fathom.Body, a half-space>";
+  return "<fathom.Body, a shape" + where;
 }
 
 py::object extent_in_python(const Body& body) {
   const std::optional<std::array<double, 3>> lengths = shapes::extent(body);
-  return lengths ? py::object(array(*lengths)) : py::object(py::none());
+  return lengths ? py::object(array(*lengths, body.dimension)) : py::object(py::none());
 }
 
 std::optional<polytope::MeshConvexity> fact_of(const Body& body) {
@@ -200,6 +239,7 @@ Body shape(const char* name, files::NumbersByName numbers, const std::string& ax
 
 Body body_with_margin(const Body& body, const mpq_class& margin) {
   Body result = files::body_of(with_margin(files::shape_of(convex(body)), margin));
+  if (body.dimension == 2) return in_plane(std::move(result));
   files::NamedBody words = words_of(body);
   const auto present = words.fields.numbers.find("margin");
   if (present == words.fields.numbers.end()) words = files::rounded(std::move(words), margin);
@@ -209,7 +249,9 @@ Body body_with_margin(const Body& body, const mpq_class& margin) {
 }
 
 Body body_sum(const Body& a, const Body& b) {
+  require_same_dimension(a, b);
   Body result = files::body_of(minkowski_sum(files::shape_of(convex(a)), files::shape_of(convex(b))));
+  if (a.dimension == 2) return in_plane(std::move(result));
   result.words = std::make_shared<const files::NamedBody>(files::named_sum({words_of(a), words_of(b)}));
   return result;
 }
@@ -261,10 +303,29 @@ void bind_shapes(py::module_& module) {
       arg("normal"), arg("offset"));
 }
 
+/// Returns the shape of the plane that cases call `name`.
+Body plane_shape(const std::string& name, const py::dict& numbers, const std::string& axis) {
+  const files::ShapeName& shape = *files::named_shape(name, 2).shape;
+  files::ShapeFields fields;
+  fields.axis = axis_from(axis);
+  for (const files::NumberField& field : shape.numbers) {
+    const py::object given = numbers[py::str(std::string(field.name))];
+    Numbers& read = fields.numbers[std::string(field.name)];
+    if (field.count == 1) {
+      read = {number_from(given)};
+    } else {
+      const Point p = point_from(given, 2);
+      read = {p.x, p.y};
+    }
+  }
+  return in_plane(files::body_of(files::made_shape(shape, fields)));
+}
+
 void bind_poses(py::module_& module) {
-  py::class_<files::GivenPose>(
-      module, "Pose", "An exact affine map: `rows` are three rows of four numbers, or four with the last 0 0 0 1.")
-      .def(py::init(&given_pose), py::arg("rows"))
+  py::class_<files::GivenPose>(module, "Pose",
+                               "An exact affine map: `rows` are three rows of four numbers, or four with the last 0 0 "
+                               "0 1; in the plane two of three.")
+      .def(py::init([](const py::object& rows) { return given_pose(rows, 2); }), py::arg("rows"))
       .def_property_readonly(
           "rows",
           [](const files::GivenPose& given) {
@@ -290,24 +351,25 @@ void bind_poses(py::module_& module) {
 
 /// Returns the points of a convex body. `called`: its name in warnings, "piece 3 of A"; `name`:
 /// that in errors, "a: piece 3".
-std::vector<Point> piece_from(py::handle from, const std::string& called, const std::string& name) {
+Body piece_from(py::handle from, const std::string& called, const std::string& name) {
   const Body body = body_from(from, py::none(), name.c_str());
   if (body.shape)
     throw py::value_error(name + ": expected a polytope, found another shape: pieces are neither round nor curved");
   warn_of_dents(body, called);
-  return body.points.exact();
+  return body;
 }
 
-/// Returns one piece, or a list of them.
-Pieces pieces_from(py::handle from, const std::string& called, const std::string& name) {
+/// Returns one piece, or a list of them, all of the plane or all of space.
+std::vector<Body> pieces_from(py::handle from, const std::string& called, const std::string& name) {
   if (is_one_body(from)) return {piece_from(from, called, name)};
   if (py::isinstance<py::str>(from) || !py::isinstance<py::iterable>(from))
     throw py::type_error(name + ": expected convex pieces, or one convex body, found " +
                          py::repr(py::type::of(from)).cast<std::string>());
-  Pieces pieces;
+  std::vector<Body> pieces;
   for (const py::handle item : py::reinterpret_borrow<py::iterable>(from)) {
     const std::string piece = "piece " + std::to_string(pieces.size());
     pieces.push_back(piece_from(item, piece + " of " + called, name + ": " + piece));
+    named(name + ": " + piece, [&] { require_same_dimension(pieces.front(), pieces.back()); });
   }
   if (pieces.empty()) throw py::value_error(name + ": expected at least one convex piece, found none");
   return pieces;
@@ -321,14 +383,19 @@ Body union_in_files(const std::string& path, const std::string& decimals) {
 
 }  // namespace
 
+void require_same_dimension(const Body& a, const Body& b) {
+  if (a.dimension != b.dimension)
+    refuse("expected bodies that are all of the plane, or all of space, found some of each");
+}
+
 const Body& convex(const Body& body, const char* no_union) {
   if (body.pieces) refuse(std::string("expected a convex body, found a union of pieces: ") + no_union);
   return body;
 }
 
-std::optional<files::GivenPose> pose_from(py::handle pose, const char* name) {
+std::optional<files::GivenPose> pose_from(py::handle pose, const char* name, unsigned dimension) {
   if (pose.is_none()) return std::nullopt;
-  return named(name, [&] { return given_pose(pose); });
+  return named(name, [&] { return given_pose(pose, dimension); });
 }
 
 Body posed(Body body, const std::optional<files::GivenPose>& pose, const char* name, std::vector<std::string>* notes) {
@@ -343,7 +410,8 @@ Body posed(Body body, const std::optional<files::GivenPose>& pose, const char* n
 }
 
 Body posed(Body body, py::handle pose, const char* name, std::vector<std::string>* notes) {
-  return posed(std::move(body), pose_from(pose, name), name, notes);
+  const std::optional<files::GivenPose> given = pose_from(pose, name, body.dimension);
+  return posed(std::move(body), given, name, notes);
 }
 
 std::optional<polytope::MeshConvexity> hull_fact(const Body& body) {
@@ -377,7 +445,12 @@ const GivenPoints& points_of(const Body& body, const char* name) {
 
 Body union_from(py::handle from, const std::string& called, const std::string& name) {
   if (py::isinstance<Body>(from) && from.cast<const Body&>().pieces) return from.cast<Body>();
-  return files::union_of(pieces_from(from, called, name));
+  const std::vector<Body> pieces = pieces_from(from, called, name);
+  Pieces points;
+  for (const Body& piece : pieces) points.push_back(piece.points.exact());
+  Body body = files::union_of(std::move(points));
+  body.dimension = pieces.front().dimension;
+  return body;
 }
 
 namespace {
@@ -387,6 +460,7 @@ using py::literals::operator""_a;
 // The fields of fathom.Coverage.
 py::dict coverage_of(const py::object& mesh, const py::object& pieces) {
   const Body body = body_from(mesh, py::none(), "mesh"), given = union_from(pieces, "the pieces", "pieces");
+  solve::require_space(body, given, "coverage");
   const Body solid = body.solid ? body : named("mesh", [&] {
     const py::gil_scoped_release unlocked;
     return solid_body(body);
@@ -427,6 +501,7 @@ void bind_bodies(py::module_& module) {
       .def_property_readonly("points", points_in_python)
       .def_property_readonly("pieces", pieces_in_python)
       .def_property_readonly("is_shape", [](const Body& body) { return body.shape.has_value(); })
+      .def_property_readonly("dimension", [](const Body& body) { return body.dimension; })
       .def_property_readonly("extent", extent_in_python)
       .def_property_readonly("is_flat", has_no_interior)
       .def(
@@ -442,18 +517,20 @@ void bind_bodies(py::module_& module) {
           "The body as a case has it: the name of a shape, its numbers and its pose; the vertices of other bodies, the "
           "pieces of a union. Floats are exact, and so are texts as \"1/3\".")
       .def_property_readonly("state", state_of);
-  module.def("body_of_state", body_of_state, py::arg("json"), py::arg("has_faces"), py::arg("corners"),
-             py::arg("ends"));
+  module.def("body_of_state", body_of_state, py::arg("json"), py::arg("has_faces"), py::arg("corners"), py::arg("ends"),
+             py::arg("dimension") = 3);
   module.def(
       "convexity", [](const py::object& body) { return convexity(body_from(body, py::none(), "body")); },
       py::arg("body"));
   bind_shapes(module);
+  module.def("plane_shape", plane_shape, py::arg("name"), py::arg("numbers"), py::arg("axis") = "x");
   module.def(
       "union", [](const py::object& pieces) { return union_from(pieces, "the body", "pieces"); }, py::arg("pieces"));
   module.def(
       "solid",
       [](const py::object& mesh) {
         const Body body = body_from(mesh, py::none(), "mesh");
+        solve::require_space(body, body, "solid");
         return named("mesh", [&] {
           const py::gil_scoped_release unlocked;
           return solid_body(body);

@@ -30,11 +30,15 @@ struct MadeCaster : py::detail::type_caster_base<Value> {
 /// What errors about unions of pieces say unless a question says something else.
 inline constexpr const char* union_depth_takes = "union_depth takes those";
 
+/// Throws py::value_error unless both are of the plane, or both of space.
+void require_same_dimension(const Body& a, const Body& b);
+
 /// Returns the body for a Body; an array or a sequence of points; or an object with such
 /// `vertices`, whose `faces`, if any, are kept. Arrays of floats and sequences of binary64 numbers
-/// are stored as binary64. The pose is None, a Pose, a text, or 3 or 4 rows of 4 numbers. Appends
-/// warnings about the pose to `notes`. Throws py::value_error with a sentence that begins with
-/// `name`, and py::type_error; refuses unions of pieces for the reason `no_union`.
+/// are stored as binary64. The pose is None, a Pose, a text, 3 or 4 rows of 4 numbers, or in the
+/// plane 2 or 3 rows of 3. Appends warnings about the pose to `notes`. Throws py::value_error with a
+/// sentence that begins with `name`, and py::type_error; refuses unions of pieces for the reason
+/// `no_union`.
 Body body_from(py::handle body, py::handle pose, const char* name, std::vector<std::string>* notes = nullptr,
                const char* no_union = union_depth_takes);
 
@@ -44,8 +48,9 @@ Body posed(Body body, py::handle pose, const char* name, std::vector<std::string
 /// Returns the same body. Throws py::value_error, which says why, if it is a union of pieces.
 const Body& convex(const Body& body, const char* no_union = union_depth_takes);
 
-/// Returns the pose of the object; nullopt for None. Throws as body_from does.
-std::optional<files::GivenPose> pose_from(py::handle pose, const char* name);
+/// Returns the pose of the object, for a body of this dimension: that of the plane takes rows of
+/// three numbers too. nullopt for None. Throws as body_from does.
+std::optional<files::GivenPose> pose_from(py::handle pose, const char* name, unsigned dimension = 3);
 
 /// Returns the body moved by the pose. May be called without the GIL.
 Body posed(Body body, const std::optional<files::GivenPose>& pose, const char* name, std::vector<std::string>* notes);
@@ -81,7 +86,8 @@ Body union_from(py::handle from, const std::string& called, const std::string& n
 /// Warns if the body is a mesh that is not convex, or is open, or a union of such pieces.
 void warn_of_dents(const Body& body, const std::string& called);
 
-/// Defines Body, Pose, read_mesh, read_pieces, union, solid; sphere and the other shapes.
+/// Defines Body, Pose, read_mesh, read_pieces, union, solid; sphere and the other shapes, of space
+/// and of the plane.
 void bind_bodies(py::module_& module);
 
 }  // namespace fathom::python

@@ -84,21 +84,25 @@ void refuse_masks(py::handle from) {
     refuse("expected an array without a mask, found one where some numbers are masked: drop or fill them first");
 }
 
-GivenPoints points_from_rows(const double* rows, py::ssize_t count) {
+/// Each row has two or three numbers.
+Body body_from_rows(const double* rows, py::ssize_t count, py::ssize_t dimension) {
+  const auto length = static_cast<std::size_t>(dimension);
   Triples points(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    std::copy_n(rows + 3 * i, 3, points[i].begin());
+    std::copy_n(rows + length * i, length, points[i].begin());
     if (!std::ranges::all_of(points[i], [](double c) { return std::isfinite(c); }))
       refuse("expected finite coordinates, found others in row " + std::to_string(i));
   }
-  return GivenPoints(std::move(points));
+  Body body{GivenPoints(std::move(points))};
+  body.dimension = static_cast<unsigned>(dimension);
+  return body;
 }
 
 using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// Returns the rows of an array of `dimensions` dimensions.
 Rows rows_of(const py::array& array, py::ssize_t dimensions, const char* expected) {
-  if (array.ndim() != dimensions || array.shape(dimensions - 1) != 3) {
+  if (array.ndim() != dimensions || (array.shape(dimensions - 1) != 3 && array.shape(dimensions - 1) != 2)) {
     std::string shape;
     for (py::ssize_t i = 0; i < array.ndim(); ++i) shape += (i == 0 ? "" : " x ") + std::to_string(array.shape(i));
     refuse(std::string("expected an array of ") + expected + " coordinates, found one of " +
@@ -109,9 +113,9 @@ Rows rows_of(const py::array& array, py::ssize_t dimensions, const char* expecte
   return rows;
 }
 
-GivenPoints points_from_array(const py::array& array) {
-  const Rows rows = rows_of(array, 2, "n x 3");
-  return points_from_rows(rows.data(), rows.shape(0));
+Body body_from_array(const py::array& array) {
+  const Rows rows = rows_of(array, 2, "n x 3 or n x 2");
+  return body_from_rows(rows.data(), rows.shape(0), rows.shape(1));
 }
 
 bool are_binary64(const Point& p) {
@@ -131,18 +135,28 @@ py::object first_of(py::handle from) {
   return py::none();
 }
 
-GivenPoints points_from_sequence(const py::iterable& sequence) {
+/// Returns whether the object is two things that are no sequences, as a point of the plane is.
+bool are_two(py::handle from) {
+  return PySequence_Check(from.ptr()) && !py::isinstance<py::str>(from) && py::len(from) == 2 &&
+         first_of(first_of(from)).is_none();
+}
+
+Body body_from_sequence(const py::iterable& sequence) {
   std::vector<Point> points;
+  unsigned dimension = 3;
   for (const py::handle item : sequence) {
+    if (points.empty() && are_two(item)) dimension = 2;
     try {
-      points.push_back(point_from(item));
+      points.push_back(point_from(item, dimension));
     } catch (const py::value_error& fault) {
       if (is_one_body(item))
         refuse("expected a convex body, found a list of bodies: union_depth takes such a list as their union");
       refuse("point " + std::to_string(points.size()) + ": " + fault.what());
     }
   }
-  return given_form(std::move(points));
+  Body body{given_form(std::move(points))};
+  body.dimension = dimension;
+  return body;
 }
 
 [[noreturn]] void refuse_type(const std::string& expected, py::handle found) {
@@ -180,16 +194,16 @@ bool has_faces(py::handle from) {
   return !faces.is_none() && !(PySequence_Check(faces.ptr()) && py::len(faces) == 0);
 }
 
-/// Returns the points of an array, or of a sequence of points.
-GivenPoints plain_points(py::handle from) {
+/// Returns the body of an array, or of a sequence of points.
+Body plain_points(py::handle from) {
   if (py::isinstance<py::array>(from)) {
     refuse_masks(from);
     const auto array = py::reinterpret_borrow<py::array>(from);
-    if (fits_binary64(array.dtype())) return points_from_array(array);
+    if (fits_binary64(array.dtype())) return body_from_array(array);
   }
   if (py::isinstance<py::str>(from) || !py::isinstance<py::iterable>(from))
     refuse_type("an array of points, an object with `vertices`, or a shape", from);
-  return points_from_sequence(py::reinterpret_borrow<py::iterable>(from));
+  return body_from_sequence(py::reinterpret_borrow<py::iterable>(from));
 }
 
 }  // namespace
@@ -246,11 +260,12 @@ double float_from(py::handle number, const std::string& name) {
   throw py::type_error(name + ": expected a number, found " + shown(number));
 }
 
-Point point_from(py::handle point) {
-  if (!PySequence_Check(point.ptr()) || PyUnicode_Check(point.ptr()) || py::len(point) != 3)
-    throw py::value_error("expected three numbers, found " + shown(point));
+Point point_from(py::handle point, unsigned dimension) {
+  if (!PySequence_Check(point.ptr()) || PyUnicode_Check(point.ptr()) || py::len(point) != dimension)
+    throw py::value_error((dimension == 2 ? "expected two numbers, found " : "expected three numbers, found ") +
+                          shown(point));
   const auto items = py::reinterpret_borrow<py::sequence>(point);
-  return {number_from(items[0]), number_from(items[1]), number_from(items[2])};
+  return {number_from(items[0]), number_from(items[1]), dimension == 2 ? mpq_class(0) : number_from(items[2])};
 }
 
 py::object integer(const mpz_class& value) {
@@ -262,14 +277,22 @@ py::object fraction(const mpq_class& value) {
   return fraction_type()(integer(value.get_num()), integer(value.get_den()));
 }
 
-py::tuple fractions(const Point& p) { return py::make_tuple(fraction(p.x), fraction(p.y), fraction(p.z)); }
+py::tuple fractions(const Point& p, unsigned dimension) {
+  if (dimension == 2) return py::make_tuple(fraction(p.x), fraction(p.y));
+  return py::make_tuple(fraction(p.x), fraction(p.y), fraction(p.z));
+}
 
-py::tuple integers(const Vector& v) { return py::make_tuple(integer(v.x), integer(v.y), integer(v.z)); }
+py::tuple integers(const Vector& v, unsigned dimension) {
+  if (dimension == 2) return py::make_tuple(integer(v.x), integer(v.y));
+  return py::make_tuple(integer(v.x), integer(v.y), integer(v.z));
+}
 
-py::array_t<double> array(const std::array<double, 3>& values) { return py::array_t<double>(3, values.data()); }
+py::array_t<double> array(const std::array<double, 3>& values, unsigned dimension) {
+  return py::array_t<double>(dimension, values.data());
+}
 
-py::array_t<double> array(const Point& p) {
-  return array(std::array{round_binary64(p.x), round_binary64(p.y), round_binary64(p.z)});
+py::array_t<double> array(const Point& p, unsigned dimension) {
+  return array(std::array{round_binary64(p.x), round_binary64(p.y), round_binary64(p.z)}, dimension);
 }
 
 GivenPoints given_form(std::vector<Point> points) {
@@ -279,7 +302,7 @@ GivenPoints given_form(std::vector<Point> points) {
   return GivenPoints(std::move(doubles));
 }
 
-GivenPoints given_points(py::handle from) {
+Body given_points(py::handle from) {
   if (py::isinstance<py::array>(from) || !py::hasattr(from, "vertices")) return plain_points(from);
   const py::object vertices = from.attr("vertices");
   if (!py::isinstance<py::array>(vertices) && py::hasattr(vertices, "vertices"))  // a chain of them may be endless
@@ -287,17 +310,17 @@ GivenPoints given_points(py::handle from) {
   return plain_points(vertices);
 }
 
-std::optional<std::vector<MaybePoints>> stacked_points(py::handle from) {
+std::optional<std::vector<MaybeBody>> stacked_points(py::handle from) {
   if (!py::isinstance<py::array>(from)) return std::nullopt;
   const auto array = py::reinterpret_borrow<py::array>(from);
   if (array.ndim() != 3 || !fits_binary64(array.dtype())) return std::nullopt;
   refuse_masks(from);
-  const Rows rows = rows_of(array, 3, "n x m x 3");
-  std::vector<MaybePoints> bodies(static_cast<std::size_t>(rows.shape(0)));
+  const Rows rows = rows_of(array, 3, "n x m x 3 or n x m x 2");
+  std::vector<MaybeBody> bodies(static_cast<std::size_t>(rows.shape(0)));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     try {
       if (rows.shape(1) == 0) refuse("expected at least one point, found none");
-      bodies[i] = points_from_rows(rows.data(static_cast<py::ssize_t>(i), 0, 0), rows.shape(1));
+      bodies[i] = body_from_rows(rows.data(static_cast<py::ssize_t>(i), 0, 0), rows.shape(1), rows.shape(2));
     } catch (const py::value_error& fault) {
       bodies[i] = std::string(fault.what());
     }

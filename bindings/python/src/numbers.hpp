@@ -42,33 +42,36 @@ std::string text_from(py::handle text);
 /// Returns how messages show a value: in ASCII, shortened if it is long.
 std::string shown(py::handle value);
 
-/// Returns the point of three numbers.
-Point point_from(py::handle point);
+/// Returns the point of three numbers; with dimension 2 of two, and then z is 0.
+Point point_from(py::handle point, unsigned dimension = 3);
 
 /// Returns a fractions.Fraction, or an int.
 py::object fraction(const mpq_class& value);
 py::object integer(const mpz_class& value);
 
-py::tuple fractions(const Point& point);
-py::tuple integers(const Vector& vector);
+// With dimension 2, of the plane, these leave out z, which is 0.
+
+py::tuple fractions(const Point& point, unsigned dimension = 3);
+py::tuple integers(const Vector& vector, unsigned dimension = 3);
 
 /// Returns an array of three floats.
-py::array_t<double> array(const std::array<double, 3>& values);
+py::array_t<double> array(const std::array<double, 3>& values, unsigned dimension = 3);
 /// Returns an array of the coordinates, each correctly rounded.
-py::array_t<double> array(const Point& point);
+py::array_t<double> array(const Point& point, unsigned dimension = 3);
 
 // ---- points and faces ----
 
-/// Returns the points, in binary64 if all of them are. Throws py::value_error, which names the
-/// first bad point, and py::type_error.
-GivenPoints given_points(py::handle from);
+/// Returns the body of these points, in binary64 if all of them are; one of the plane if the first
+/// has two coordinates. Throws py::value_error, which names the first bad point, and
+/// py::type_error.
+Body given_points(py::handle from);
 
-/// The points of a body, or the sentence on what is wrong with them.
-using MaybePoints = std::variant<GivenPoints, std::string>;
+/// The body of some points, or the sentence on what is wrong with them.
+using MaybeBody = std::variant<Body, std::string>;
 
-/// Returns the points of each body of an array of shape (n, m, 3) whose elements are binary64
-/// numbers, without making objects of Python for them. Returns nullopt for anything else.
-std::optional<std::vector<MaybePoints>> stacked_points(py::handle from);
+/// Returns each body of an array of shape (n, m, 3), or (n, m, 2) in the plane, whose elements are
+/// binary64 numbers, without making objects of Python for them. Returns nullopt for anything else.
+std::optional<std::vector<MaybeBody>> stacked_points(py::handle from);
 
 /// Returns the points, in binary64 if all of them are.
 GivenPoints given_form(std::vector<Point> points);

@@ -18,6 +18,7 @@
 #include "fathom/study.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/shapes/body_notes.hpp"
+#include "reference/solve/require_space.hpp"
 #include "verify/judge/fields.hpp"
 #include "verify/judge/truth.hpp"
 
@@ -33,20 +34,21 @@ struct Pair {
   Body a, b;
 };
 
-/// Returns two bodies; a union is refused for the reason `no_union`. Warns of meshes that are not
-/// convex.
-Pair any_pair_from(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b,
-                   const char* no_union) {
+/// Returns two bodies of space for the function `what`; a union is refused for the reason
+/// `no_union`. Warns of meshes that are not convex.
+Pair any_pair_from(const char* what, const py::object& a, const py::object& b, const py::object& pose_a,
+                   const py::object& pose_b, const char* no_union) {
   Pair pair{body_from(a, pose_a, "a", nullptr, no_union), body_from(b, pose_b, "b", nullptr, no_union)};
+  solve::require_space(pair.a, pair.b, what);
   warn_of_dents(pair.a, "A");
   warn_of_dents(pair.b, "B");
   return pair;
 }
 
 /// Returns two polytopes. Warns as any_pair_from does.
-Pair pair_from(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b,
-               const char* no_union) {
-  Pair pair = any_pair_from(a, b, pose_a, pose_b, no_union);
+Pair pair_from(const char* what, const py::object& a, const py::object& b, const py::object& pose_a,
+               const py::object& pose_b, const char* no_union) {
+  Pair pair = any_pair_from(what, a, b, pose_a, pose_b, no_union);
   points_of(pair.a, "a");
   points_of(pair.b, "b");
   return pair;
@@ -110,7 +112,7 @@ py::object closer_than_of(const py::object& a, const py::object& b, const py::ob
 py::dict ray(const py::object& a, const py::object& b, const py::object& direction, const py::object& pose_a,
              const py::object& pose_b) {
   const Pair pair = pair_from(
-      a, b, pose_a, pose_b,
+      "ray", a, b, pose_a, pose_b,
       "how far it must move in one direction is not answered about those; union_depth says how far in the best one");
   const Point along = point_from(direction);
   const DirectionalDepth found = watched([&](Monitor& monitor) {
@@ -129,7 +131,7 @@ py::dict ray(const py::object& a, const py::object& b, const py::object& directi
 py::dict growth(const py::object& a, const py::object& b, const py::object& center_a, const py::object& center_b,
                 const py::object& pose_a, const py::object& pose_b) {
   const Pair pair = pair_from(
-      a, b, pose_a, pose_b,
+      "growth", a, b, pose_a, pose_b,
       "by which factor it must grow is not answered about those; union_depth says how deep they are, or how far apart");
   const auto center = [](const py::object& given) {
     return given.is_none() ? std::nullopt : std::optional(point_from(given));
@@ -150,8 +152,9 @@ py::dict growth(const py::object& a, const py::object& b, const py::object& cent
 
 py::dict metric(const py::object& a, const py::object& b, const py::object& ball, const py::object& pose_a,
                 const py::object& pose_b) {
-  const Pair pair = pair_from(a, b, pose_a, pose_b, "union_depth answers about those, in Euclid's norm");
+  const Pair pair = pair_from("metric", a, b, pose_a, pose_b, "union_depth answers about those, in Euclid's norm");
   const Body unit_body = body_from(ball, py::none(), "ball", nullptr, "the unit ball of a norm is convex");
+  solve::require_space(unit_body, unit_body, "metric");
   const GivenPoints& points = points_of(unit_body, "ball");
   const MetricResult found = watched([&](Monitor& monitor) {
     return metric_depth(pair.a.points.exact(), pair.b.points.exact(), unit_ball(points.exact()), &monitor);
@@ -166,7 +169,7 @@ py::dict metric(const py::object& a, const py::object& b, const py::object& ball
 
 py::dict approx(const py::object& a, const py::object& b, const py::object& delta, const py::object& pose_a,
                 const py::object& pose_b) {
-  const Pair pair = pair_from(a, b, pose_a, pose_b, "union_depth answers about those, exactly");
+  const Pair pair = pair_from("approx", a, b, pose_a, pose_b, "union_depth answers about those, exactly");
   const mpq_class within = number_from(delta);
   const ApproxDepth found = watched(
       [&](Monitor& monitor) { return approx_depth(pair.a.points.exact(), pair.b.points.exact(), within, &monitor); });
@@ -241,7 +244,7 @@ py::dict study_of_shapes(Pair pair, std::size_t listed) {
 
 py::dict study_of(const py::object& a, const py::object& b, std::size_t listed, const py::object& pose_a,
                   const py::object& pose_b) {
-  Pair pair = any_pair_from(a, b, pose_a, pose_b, shapes::study_of_union);
+  Pair pair = any_pair_from("study", a, b, pose_a, pose_b, shapes::study_of_union);
   return pair.a.shape || pair.b.shape ? study_of_shapes(std::move(pair), listed)
                                       : study_of_polytopes(std::move(pair), listed);
 }
@@ -372,7 +375,9 @@ JudgeArguments judge_arguments(const py::dict& claim) {
 
 /// Returns a body of any kind after rounding to the number format of the program under test.
 Body seen_from(const py::object& from, const py::object& pose, const NumberFormat& format, const char* name) {
-  std::optional<Body> body = judging::body_seen(any_body_from(from, pose, name), format);
+  const Body given = any_body_from(from, pose, name);
+  solve::require_space(given, given, "judge");
+  std::optional<Body> body = judging::body_seen(given, format);
   if (!body)
     throw py::value_error(std::string(name) + ": a coordinate overflows " + std::string(fathom::name(format.points)));
   return *std::move(body);
