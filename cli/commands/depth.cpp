@@ -49,7 +49,6 @@ std::string refuses_plane(const DepthRequest& request) {
   if (request.one_body) return no_plane;
   if (request.shallow) return "--method shallow is about bodies of space";
   if (request.form.manifold()) return "--patch and --twist are about bodies of space";
-  if (!request.svg.empty()) return "--svg draws bodies of space";
   return "";
 }
 

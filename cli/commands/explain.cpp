@@ -162,8 +162,10 @@ std::string explained_page(const AskedCase& asked, const ExplainRequest& request
   const Answer& answer = answered.answer;
   if (!answer.complete()) throw Interrupted();
   answered.id = single.id;
-  const AnswerForm& form = request.depth.form;
-  answered.manifold = output::manifold_of(single.a, single.b, answer, form.motion, &monitor);
+  const bool plane = single.a.dimension == 2;
+  AnswerForm form = request.depth.form;
+  form.patch = !plane;
+  if (!plane) answered.manifold = output::manifold_of(single.a, single.b, answer, form.motion, &monitor);
   const picture::PairScene scene = answer_scene(single, answered, form);
   const std::string beside = drawn_beside(scene);
   const std::string picture =
@@ -171,7 +173,8 @@ std::string explained_page(const AskedCase& asked, const ExplainRequest& request
   const std::string depth = output::answer_json(answered, form), pair = files::case_json(single);
   const std::vector<std::string> notes = notes_on(asked.bodies);
   if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answer.found)) {
-    stages::UnionStages stages = stages::stages_of(pieces_of(single.a), pieces_of(single.b), *unions, &monitor);
+    stages::UnionStages stages =
+        stages::stages_of(pieces_of(single.a), pieces_of(single.b), *unions, &monitor, single.a.dimension);
     stages.id = single.id;
     if (form.motion)
       stages.left_out.emplace_back("Of unions no motion is followed: the facts have the derivative alone.");
@@ -179,9 +182,10 @@ std::string explained_page(const AskedCase& asked, const ExplainRequest& request
   }
   stages::StageOptions options = request.options;
   options.monitor = &monitor;
-  stages::Stages stages = stages::stages_of(single.a, single.b, options);
+  stages::Stages stages =
+      plane ? stages::stages_in_plane(single.a, single.b, answer) : stages::stages_of(single.a, single.b, options);
   stages.id = single.id;
-  const page::Motions motions = motions_of(single, answered, request.depth, monitor);
+  const page::Motions motions = plane ? page::Motions() : motions_of(single, answered, request.depth, monitor);
   return page::html_page({FATHOM_VERSION, depth, stages, pair, notes, picture, beside, motions, request.opens});
 }
 
@@ -189,7 +193,7 @@ ExitCode run_explain(const Given& given) {
   ExplainRequest request(given);
   request.options.times = given.flag("--times");
   CertificateFile file(given.text("--output"), "page");  // fails early for an unwritable path
-  const Case single = asked_case(request.depth);
+  const Case single = asked_case(request.depth, "", "", request.depth.form.motion ? "--twist is about those" : "");
   std::string page;
   {
     const InterruptGuard interrupt_guard;

@@ -124,7 +124,7 @@ struct StreamWork {
 inline bool has_shape(const Case& single) { return single.a.shape || single.b.shape; }
 
 /// Why most commands take no bodies of the plane.
-inline constexpr const char* no_plane = "of the commands, depth takes those";
+inline constexpr const char* no_plane = "of the commands, depth and explain take those";
 
 /// Returns what is wrong with the bodies of a case, given the reasons to refuse shapes, unions and
 /// bodies of the plane, each of which may be empty; or "".

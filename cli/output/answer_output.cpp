@@ -359,8 +359,8 @@ std::string legend(const picture::PairScene& scene) {
 }
 
 std::string legend_of_unions(const picture::PairScene& scene) {
-  const std::string bodies =
-      "A toned, B hatched; thin: the edges of pieces, hidden ones dashed; deeper: the pieces that ";
+  const std::string bodies = fmt::format("A toned, B hatched; thin: the edges of pieces{}; deeper: the pieces that ",
+                                         scene.plane ? "" : ", hidden ones dashed");
   if (!scene.moves() && scene.status != Status::disjoint)
     return bodies + "touch; the dot: one of the places where they do.";
   return scene.status == Status::disjoint ? fmt::format("{}are nearest; {}", bodies, until_touching)
@@ -481,14 +481,17 @@ std::string answer_line(const AnsweredCase& answered, const AnswerForm& asked) {
 }
 
 picture::PairScene answer_scene(const Case& bodies, const AnsweredCase& answered, const AnswerForm& form) {
+  const bool plane = bodies.a.dimension == 2;
   const auto scene_of = [&] {
     if (const Depth* const depth = polytopes(answered.answer))
-      return picture::scene_of({bodies.a.points, bodies.b.points, *depth});
+      return picture::scene_of({bodies.a.points, bodies.b.points, *depth, plane});
     if (const SignedDepth* const depth = shapes_of(answered.answer))
-      return picture::scene_of(files::shape_of(bodies.a), files::shape_of(bodies.b), *depth);
-    return picture::scene_of(pieces_of(bodies.a), pieces_of(bodies.b), *unions(answered.answer));
+      return picture::scene_of(files::shape_of(bodies.a), files::shape_of(bodies.b), *depth, plane);
+    return picture::scene_of(pieces_of(bodies.a), pieces_of(bodies.b), *unions(answered.answer), 0, std::nullopt,
+                             plane);
   };
   picture::PairScene scene = scene_of();
+  scene.plane = plane;
   if (answered.manifold && form.patch) scene.patches = drawn_patches(answered.manifold->geometry);
   return scene;
 }

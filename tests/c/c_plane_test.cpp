@@ -75,7 +75,7 @@ TEST(PlaneInC, RoundBodiesAndCasesAreOfIt) {
             FATHOM_OK)
       << fathom_last_error();
   const BodyHandle of_a(a), of_b(b);
-  EXPECT_EQ(exactly(answer_about(of_a, of_b), FATHOM_SIGNED_DEPTH), "1");
+  EXPECT_EQ(exactly(answer_about(of_a, of_b), FATHOM_SIGNED_DEPTH), "1/2");
 }
 
 TEST(PlaneInC, UnionsAndTheirPieces) {

@@ -210,5 +210,37 @@ TEST(Scene, KnownValuesOfCurvedBodies) {
   EXPECT_FALSE(scene_of(a, b, depth).moves());
 }
 
+// ---- the plane ----
+
+TEST(Scene, ThePlaneIsSeenFromAbove) {
+  const Shape square = hull(std::vector<Point>{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}});
+  const Shape below = halfspace({1, 2, 0}, 3);
+  SignedDepth depth = signed_depth(square, below);
+  const PairScene scene = scene_of(square, below, depth, true);
+  const Window window = panels_of(scene, size).front().window;
+  const Dot o = window.dot({}), x = window.dot({1, 0, 0}), y = window.dot({0, 1, 0}), z = window.dot({0, 0, 1});
+  EXPECT_GT(x.x, o.x);
+  EXPECT_EQ(x.y, o.y);
+  EXPECT_EQ(y.x, o.x);
+  EXPECT_LT(y.y, o.y);  // pixels count downwards
+  EXPECT_NEAR(z.x, o.x, 1e-9);
+  EXPECT_NEAR(z.y, o.y, 1e-9);
+  EXPECT_EQ(silhouette(scene.a, window).size(), 4u);
+  // A half-plane is a polygon of the window on the side of its normal where it is.
+  const Dot inside = window.dot({0, 0, 0}), outside = window.dot({3, 3, 0});
+  const std::vector<Dot> half = silhouette(scene.b, window);
+  ASSERT_GE(half.size(), 3u);
+  const auto holds = [&](const Dot& p) {
+    int signs = 0;
+    for (std::size_t i = 0; i < half.size(); ++i) {
+      const Dot &q = half[i], &r = half[(i + 1) % half.size()];
+      signs += (r.x - q.x) * (p.y - q.y) - (r.y - q.y) * (p.x - q.x) > 0 ? 1 : -1;
+    }
+    return static_cast<std::size_t>(std::abs(signs)) == half.size();
+  };
+  EXPECT_TRUE(holds(inside));
+  EXPECT_FALSE(holds(outside));
+}
+
 }  // namespace
 }  // namespace fathom::picture

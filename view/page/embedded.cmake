@@ -6,7 +6,7 @@ function(fathom_embed_page target)
   set(embedded ${PROJECT_BINARY_DIR}/generated/page_embedded.cpp)
   add_custom_command(OUTPUT ${embedded}
     COMMAND ${CMAKE_COMMAND} -D FOLDER=${folder} -D OUT=${embedded} -P ${folder}/assemble.cmake
-    DEPENDS ${parts} ${folder}/assemble.cmake ${folder}/embedded.cpp.in ${folder}/shell.html ${folder}/pair.html ${folder}/union.html ${folder}/page.css
+    DEPENDS ${parts} ${folder}/assemble.cmake ${folder}/embedded.cpp.in ${folder}/shell.html ${folder}/pair.html ${folder}/union.html ${folder}/sums.html ${folder}/page.css
     VERBATIM)
   target_sources(${target} PRIVATE ${embedded})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})

@@ -137,8 +137,10 @@ std::string contact_text(const Data& contact) {
 }
 
 std::string size_text(const Data& lengths) {
-  if (!lengths.is_array() || lengths.items().size() != 3) return "not finite";
-  return fmt::format("{} x {} x {}", shown(lengths.at(0)), shown(lengths.at(1)), shown(lengths.at(2)));
+  if (!lengths.is_array() || lengths.items().empty()) return "not finite";
+  std::string result;
+  for (const Data& length : lengths.items()) result += (result.empty() ? "" : " x ") + shown(length);
+  return result;
 }
 
 void add_about(FactList& rows, const Data& depth) {
@@ -332,6 +334,11 @@ std::string answer_sentence(const Data& depth) {
   return "The bounds leave open whether A and B overlap: signed depth " + length_text(depth);
 }
 
+bool is_of_plane(const Data& depth) {
+  const Data& dimension = at(depth, "dimension");
+  return dimension.is_natural() && dimension.natural() == 2;
+}
+
 std::string subtitle(const Data& depth) {
   std::string result = shown(at(depth, "id"));
   if (const Data& contact = at(depth, "contact"); contact.is_object())
@@ -380,7 +387,8 @@ std::string union_sentence(const Data& depth) {
 }
 
 std::string union_subtitle(const Data& depth) {
-  std::string result = shown(at(depth, "id")) + " &middot; unions of convex pieces";
+  std::string result =
+      shown(at(depth, "id")) + " &middot; unions of convex " + (is_of_plane(depth) ? "polygons" : "pieces");
   if (is(depth, "penetrating"))
     result += " &middot; " + counted(optima_of(depth).size(), "shortest way out", "shortest ways out");
   return result;

@@ -127,6 +127,8 @@ const std::string& whole_style() {
   return text;
 }
 
+constexpr std::string_view seen_from_above = "seen from +z: x to the right, y up";
+
 /// Returns the still picture with a caption; `seen` describes the view. Empty if there is none.
 template <class AnySheet>
 std::string figure(const AnySheet& sheet, std::string_view seen) {
@@ -135,15 +137,15 @@ std::string figure(const AnySheet& sheet, std::string_view seen) {
       sheet.beside.empty() ? ""
                            : fmt::format("; <span class=\"key-patch\">green</span>: {}", picture::markup(sheet.beside));
   return fmt::format(
-      "<figure class=\"still\">{}<figcaption><span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen "
-      "across {}{}.</figcaption></figure>",
+      "<figure class=\"still\">{}<figcaption><span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, "
+      "{}{}.</figcaption></figure>",
       sheet.picture, seen, green);
 }
 
 /// Returns the command that prints the answer of a page.
 std::string command_of(const Data& depth, std::string_view options) {
   const text::JsonValue* const derivative = depth.find("derivative");
-  return fmt::format("fathom depth{} --patch{} --json", options,
+  return fmt::format("fathom depth{}{}{} --json", options, is_of_plane(depth) ? "" : " --patch",
                      derivative && derivative->is_object() ? " --twist" : "");
 }
 
@@ -242,8 +244,16 @@ std::string filled(std::string_view text, const std::map<std::string, std::strin
 std::string html_page(const Sheet& sheet) {
   const Data depth = parsed(sheet.depth);
   const stages::Stages& stages = sheet.stages;
+  if (is_of_plane(depth))
+    return assembled(
+        sheet, command_of(depth, ""), picture::markup(answer_sentence(depth)), subtitle(depth),
+        {{"what", "What happens"}},
+        filled(
+            union_sections(),
+            {{"picture_what", figure(sheet, seen_from_above)}, {"facts", facts(depth)}, {"optima", ""}, {"why", ""}}),
+        {{"depth", sheet.depth}, {"stages", stages::to_json(stages)}, {"case", sheet.pair}});
   const std::string main =
-      filled(pair_sections(), {{"picture_what", figure(sheet, "n")},
+      filled(pair_sections(), {{"picture_what", figure(sheet, "seen across n")},
                                {"facts", facts(depth)},
                                {"lead_motion", sheet.motions.charts.empty() ? "" : lead_motion(sheet.motions)},
                                {"motions", motion_part(sheet.motions)},
@@ -268,15 +278,19 @@ std::string html_page(const Sheet& sheet) {
 
 std::string html_page(const UnionSheet& sheet) {
   const Data depth = parsed(sheet.depth);
-  const std::string_view seen = sheet.stages.status == Status::disjoint
-                                    ? "the translation; deeper: the pieces that are nearest"
-                                    : "the translation; deeper: the pieces in contact";
-  const std::string main = filled(union_sections(), {{"picture_what", figure(sheet, seen)},
-                                                     {"facts", union_facts(depth, sheet.stages)},
-                                                     {"optima", union_optima(depth)},
-                                                     {"lead_why", lead_of_sums(sheet.stages)}});
+  const bool plane = is_of_plane(depth);
+  const std::string seen =
+      fmt::format("{}; deeper: the pieces {}", plane ? seen_from_above : "seen across the translation",
+                  sheet.stages.status == Status::disjoint ? "that are nearest" : "in contact");
+  const std::string main = filled(
+      union_sections(), {{"picture_what", figure(sheet, seen)},
+                         {"facts", union_facts(depth, sheet.stages)},
+                         {"optima", union_optima(depth)},
+                         {"why", plane ? "" : filled(sum_section(), {{"lead_why", lead_of_sums(sheet.stages)}})}});
+  Sections sections{{"what", "What happens"}};
+  if (!plane) sections.emplace_back("why", "Why no shorter way");
   return assembled(sheet, command_of(depth, " --pieces"), picture::markup(union_sentence(depth)), union_subtitle(depth),
-                   {{"what", "What happens"}, {"why", "Why no shorter way"}}, main,
+                   sections, main,
                    {{"depth", sheet.depth}, {"stages", stages::to_json(sheet.stages)}, {"case", sheet.pair}});
 }
 

@@ -82,9 +82,11 @@ std::string filled(std::string_view text, const std::map<std::string, std::strin
 
 /// Returns the HTML with {{names}} for the parts of a page.
 std::string_view shell();
-/// Return the content of <main>: for two convex bodies, and for two unions.
+/// Return the content of <main>: for two convex bodies; for two unions, and bodies of the plane.
 std::string_view pair_sections();
 std::string_view union_sections();
+/// Returns the section of unions of space on the differences of their pieces.
+std::string_view sum_section();
 /// Returns the style sheet.
 std::string_view style();
 /// Returns three.js and the page's own modules, as one script.
@@ -101,6 +103,8 @@ std::string shown(const Data& value);
 
 /// Returns "A overlaps B by 0.25", without markup.
 std::string answer_sentence(const Data& depth);
+/// Returns whether the answer is about bodies of the plane.
+bool is_of_plane(const Data& depth);
 /// Returns the line below the answer: ties, the kind of contact.
 std::string subtitle(const Data& depth);
 /// Returns the facts: decimals, with exact numbers folded.

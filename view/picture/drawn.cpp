@@ -2,6 +2,7 @@
 #include "view/picture/drawn.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "fathom/files.hpp"
@@ -63,6 +64,12 @@ Point foot(const HalfSpace& half) { return (half.offset / dot(half.normal, half.
 
 std::vector<Dot> half_plane(const HalfSpace& half, const Window& window, const Point& by) {
   const double width = window.size().width, height = window.size().height;
+  if (window.view().towards().x == 0 && window.view().towards().y == 0) {  // upon the plane
+    const Dot on = window.dot(foot(half) + by), along = window.shift({mpq_class(-half.normal.y), half.normal.x, 0});
+    if (!std::isfinite(on.x) || !std::isfinite(on.y)) return {};
+    return beside({{-width, -height}, {2 * width, -height}, {2 * width, 2 * height}, {-width, 2 * height}}, on,
+                  {-along.x, -along.y});
+  }
   const double at = std::clamp(window.dot(foot(half) + by).x, -width, 2 * width);
   const double end = window.shift(half.normal).x > 0 ? -width : 2 * width;
   if (at == end) return {};

@@ -67,8 +67,8 @@ Compound compound_of(const std::vector<std::vector<Point>>& pieces, const View& 
 std::optional<Bounds2> box_of(const Drawn& body, const View& view);
 
 /// Returns the outline of the body moved by `by`, clipped near the window; may be empty. For
-/// half-spaces, whose normal must lie along the view's x axis. For a union, returns the outline of
-/// each piece; for other bodies one outline.
+/// half-spaces, whose normal must lie along the view's x axis, or in the plane. For a union,
+/// returns the outline of each piece; for other bodies one outline.
 std::vector<std::vector<Dot>> silhouettes(const Drawn& body, const Window& window, const Point& by = {});
 
 /// Returns a bound of the distance, in each coordinate, of points of the sum of these terms from

@@ -359,6 +359,11 @@ std::string description_of(const PairScene& scene) {
                          scene.dot_text());
   else if (scene.status == Status::disjoint)
     result = "Orthographic view of A, toned, and B, hatched; the arrow is the shortest way of A that makes them touch.";
+  if (scene.plane)
+    result = fmt::format("A, toned, and B, hatched, in the plane: x to the right, y up; {}.",
+                         !scene.moves()                     ? fmt::format("the dot is {}", scene.dot_text())
+                         : scene.status == Status::disjoint ? "the arrow is the shortest way of A that makes them touch"
+                                                            : "the arrow is a shortest way of A out of B");
   if (scene.moves()) result += " The outline of A moved by it is dashed.";
   if (scene.of_unions()) result += " Both are unions of convex pieces; the deeper ones are those in contact.";
   if (!scene.patches.empty()) result += " The contact patches are drawn on both bodies.";

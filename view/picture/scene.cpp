@@ -35,6 +35,9 @@ Points edges_of(const std::vector<Points>& touch_a, const std::vector<Points>& t
   return result;
 }
 
+/// The view of the plane.
+View from_above() { return View({1, 0, 0}, Point{0, 1, 0}); }
+
 /// Returns the greatest magnitude of a coordinate.
 mpq_class size_of(const Point& p) { return std::max({mpq_class(abs(p.x)), mpq_class(abs(p.y)), mpq_class(abs(p.z))}); }
 
@@ -160,7 +163,7 @@ Touching add_distance(const Pieces& a, const Pieces& b, const UnionDistance& apa
 bool PairScene::approximate() const { return std::holds_alternative<Curved>(a) || std::holds_alternative<Curved>(b); }
 bool PairScene::moves() const { return !is_zero(way); }
 bool PairScene::has_edges() const {
-  return std::ranges::any_of(std::array{&a, &b}, [](const Drawn* body) {
+  return !plane && std::ranges::any_of(std::array{&a, &b}, [](const Drawn* body) {
     const auto* curved = std::get_if<Curved>(body);
     return curved ? !curved->rims.empty() : !std::holds_alternative<HalfSpace>(*body);
   });
@@ -183,7 +186,9 @@ PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed) {
   for (const GivenPoints* body : {&pair.a, &pair.b}) widen(extent, *body, pair.b.front());
   const std::optional<Point> shown = claimed ? std::optional(in_proportion(*claimed, extent)) : std::nullopt;
   const std::optional<Point> second = shown && !is_zero(*shown) ? shown : std::nullopt;
-  const View view((distance ? -1 : 1) * rational(depth.direction()), second, edges_of({touch_a}, {touch_b}));
+  const View view =
+      pair.plane ? from_above()
+                 : View((distance ? -1 : 1) * rational(depth.direction()), second, edges_of({touch_a}, {touch_b}));
   return {depth.status(),
           view,
           wires_of(pair.a, view),
@@ -196,7 +201,7 @@ PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed) {
           {std::move(touch_b)}};
 }
 
-PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
+PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth, bool plane) {
   const Point normal = normal_of(a, b, depth);
   const std::vector<AlongNormal> ways = depth.translations();
   const Point way = ways.empty() ? way_by_value(depth) : along(ways.front());
@@ -208,7 +213,9 @@ PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
     touch_a = rounded_face(a, contact->a, -n);
     touch_b = rounded_face(b, contact->b, n);
   }
-  const View view((depth.status() == Status::disjoint ? -1 : 1) * normal, std::nullopt, edges_of({touch_a}, {touch_b}));
+  const View view = plane ? from_above()
+                          : View((depth.status() == Status::disjoint ? -1 : 1) * normal, std::nullopt,
+                                 edges_of({touch_a}, {touch_b}));
   PairScene scene{depth.status(), view,  drawn_shape(a, view), drawn_shape(b, view), start, way,
                   std::nullopt,   false, {std::move(touch_a)}, {std::move(touch_b)}};
   scene.enclosed = depth.bounds() != nullptr;
@@ -218,7 +225,7 @@ PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
 // The part of scene.hpp about unions.
 
 PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, std::size_t optimum,
-                   const std::optional<Point>& claimed) {
+                   const std::optional<Point>& claimed, bool plane) {
   if (!depth.complete) throw std::invalid_argument("a search that was stopped has no picture");
   PairScene scene{depth.status, View({1, 0, 0}, std::nullopt), Wires{}, Wires{}, {}, {}, std::nullopt, false, {}, {}};
   const Touching touching =
@@ -232,8 +239,9 @@ PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, st
     scene.claimed = in_proportion(*claimed, extent);
     scene.cut = *scene.claimed != *claimed;
   }
-  scene.view = View(along, claimed && !is_zero(*claimed) ? claimed : second_of(contacts, along),
-                    edges_of(scene.touch_a, scene.touch_b));
+  scene.view = plane ? from_above()
+                     : View(along, claimed && !is_zero(*claimed) ? claimed : second_of(contacts, along),
+                            edges_of(scene.touch_a, scene.touch_b));
   Compound of_a = compound_of(a, scene.view), of_b = compound_of(b, scene.view);
   of_a.in_contact = touching.a;
   of_b.in_contact = touching.b;

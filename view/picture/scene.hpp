@@ -34,6 +34,7 @@ struct PairScene {
   /// Contact patches to be shown, by their corners: on A, and on B.
   std::vector<std::vector<Point>> patches = {};
   bool enclosed = false;  ///< whether only bounds of the way are known
+  bool plane = false;     ///< whether these are bodies of the plane, seen from above
 
   [[nodiscard]] bool approximate() const;  ///< whether an outline is sampled
   [[nodiscard]] bool moves() const;        ///< whether `way` is not zero
@@ -44,11 +45,13 @@ struct PairScene {
   [[nodiscard]] std::string_view dot_text() const;
 };
 
-/// Two bodies and the answer about them.
+/// Two bodies and the answer about them. `plane`, here and below: they are bodies of the plane,
+/// seen from above, with x to the right and y up.
 struct Pair {
   const GivenPoints& a;
   const GivenPoints& b;
   const Depth& depth;
+  bool plane = false;
 };
 
 /// Makes the scene of hulls of points. `claimed`: another way to be shown, in the picture's plane
@@ -60,10 +63,10 @@ PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed = std::
 /// pieces are seen from their edges. `claimed` is another way, which is then in the picture's
 /// plane.
 PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, std::size_t optimum = 0,
-                   const std::optional<Point>& claimed = std::nullopt);
+                   const std::optional<Point>& claimed = std::nullopt, bool plane = false);
 
 /// Makes the scene of shapes, of which one at most is a half-space; `depth` is theirs.
-PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth);
+PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth, bool plane = false);
 
 // ---- paint.cpp, page_document.cpp: SVG ----
 

@@ -377,6 +377,10 @@ std::vector<Spot> clipped(std::vector<Spot> path, bool closed, const Spot& low, 
   return inside_box(std::move(path), closed, low, high);
 }
 
+std::vector<Dot> beside(const std::vector<Dot>& polygon, const Dot& on, const Dot& along) {
+  return half(polygon, true, [&](const Dot& p) { return along.x * (p.y - on.y) - along.y * (p.x - on.x); });
+}
+
 std::vector<Dot> outline(std::vector<Dot> dots) { return around(std::move(dots)); }
 std::vector<Spot> outline(std::vector<Spot> places) { return around(std::move(places)); }
 

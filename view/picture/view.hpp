@@ -142,6 +142,10 @@ RoundLength round_length(const mpq_class& most);
 std::vector<Dot> clipped(std::vector<Dot> path, bool closed, const Dot& low, const Dot& high);
 std::vector<Spot> clipped(std::vector<Spot> path, bool closed, const Spot& low, const Spot& high);
 
+/// Returns the part of a closed convex polygon on one side of a line through `on`: where the cross
+/// product of `along` and a place less `on` is not negative.
+std::vector<Dot> beside(const std::vector<Dot>& polygon, const Dot& on, const Dot& along);
+
 /// Returns the corners of the convex hull, in order. In doubles, for filling: rounding may keep or
 /// lose a corner that is almost flat.
 std::vector<Dot> outline(std::vector<Dot> dots);

@@ -15,6 +15,10 @@
 
 namespace fathom::stages {
 
+/// What the stages of bodies of the plane leave out.
+inline constexpr const char* only_what_happens =
+    "Of bodies of the plane the page has this section alone: the others are about bodies of space.";
+
 /// Returns the scale for bodies around `origin`, whose coordinates differ from it by at most
 /// `extent`.
 StagedScale scale_of(const Point& origin, const mpq_class& extent);
@@ -78,6 +82,8 @@ void add_decided(const PredicateCounts& counts, Stages& stages);
 std::vector<StagedCoincidence> staged(const std::array<Coincidences, coincidence_names.size()>& found);
 /// Returns the stages of two bodies one of which is no polytope: outlines and contact.
 Stages stages_of_shapes(const Body& a, const Body& b, const StageOptions& options);
+/// Sets the scale, the outlines and the contact. `dimension`: 2 of bodies of the plane.
+void add_outlines(const Body& a, const Body& b, const SignedDepth& depth, unsigned dimension, Stages& stages);
 
 // Input   the exact method's stages for bodies that penetrate.
 // Output  every facet of P = B (+) (-A), with the features of both bodies that make it. The

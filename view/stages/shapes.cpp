@@ -90,8 +90,20 @@ class Outline {
   double radius_;
 };
 
-std::vector<Place> directions() {
-  std::vector<Place> result{{0, 0, 1}, {0, 0, -1}};
+constexpr int longitudes_in_plane = 128;
+
+Place at_longitude(int j, int count) {
+  const double turn = 2 * std::numbers::pi * j / count;
+  return {std::cos(turn), std::sin(turn), 0};
+}
+
+std::vector<Place> directions(unsigned dimension) {
+  std::vector<Place> result;
+  if (dimension == 2) {
+    for (int j = 0; j < longitudes_in_plane; ++j) result.push_back(at_longitude(j, longitudes_in_plane));
+    return result;
+  }
+  result = {{0, 0, 1}, {0, 0, -1}};
   for (int i = 1; i < latitudes; ++i) {
     const double polar = std::numbers::pi * i / latitudes;
     for (int j = 0; j < longitudes; ++j) {
@@ -103,11 +115,11 @@ std::vector<Place> directions() {
 }
 
 // Returns the hull of the samples.
-StagedBody mesh_of(const Shape& shape, const std::vector<Term>& terms, const StagedScale& scale) {
+StagedBody mesh_of(const Shape& shape, const std::vector<Term>& terms, const StagedScale& scale, unsigned dimension) {
   const Outline outline(shape, terms, scale);
   const double reach = scaled(reach_of(shape, terms), scale), step = reach > 0 ? reach / steps : 1;
   std::vector<Vector> samples;
-  for (const Place& u : directions()) {
+  for (const Place& u : directions(dimension)) {
     const Place p = outline.extreme(u);
     samples.push_back(
         {mpz_class(std::round(p[0] / step)), mpz_class(std::round(p[1] / step)), mpz_class(std::round(p[2] / step))});
@@ -122,17 +134,20 @@ StagedBody mesh_of(const Shape& shape, const std::vector<Term>& terms, const Sta
     Indices& corners = body.facets.emplace_back();
     for (std::uint32_t i = facet.begin; i < facet.end; ++i) corners.push_back(hull.corners[i].value);
   }
+  if (dimension == 2)
+    for (const polytope::Edge& edge : hull.edges) body.edges.push_back({edge.from.value, edge.to.value});
   body.rank = hull.rank;
   return body;
 }
 
-StagedBody outline_of(std::string_view name, const Shape& shape, Stages& stages) {
+StagedBody outline_of(std::string_view name, const Shape& shape, unsigned dimension, Stages& stages) {
   StagedBody body;
   body.rank = 3;
   if (const std::vector<Term>* const terms = terms_of(shape)) {
-    body = mesh_of(shape, *terms, stages.scale);
+    body = mesh_of(shape, *terms, stages.scale, dimension);
   } else {
-    stages.left_out.push_back(std::string(name) + " is a half-space, which has no end: it is not drawn.");
+    stages.left_out.push_back(std::string(name) + (dimension == 2 ? " is a half-plane" : " is a half-space") +
+                              ", which has no end: it is not drawn.");
   }
   body.sampled = true;
   return body;
@@ -265,6 +280,18 @@ void add_shape_coincidences(const Shape& a, const Shape& b, const StageOptions& 
 
 }  // namespace
 
+void add_outlines(const Body& a, const Body& b, const SignedDepth& depth, unsigned dimension, Stages& stages) {
+  const Shape shape_a = files::shape_of(a), shape_b = files::shape_of(b);
+  stages.scale = scale_of_shapes(shape_a, shape_b);
+  stages.a = outline_of("A", shape_a, dimension, stages);
+  stages.b = outline_of("B", shape_b, dimension, stages);
+  stages.left_out.emplace_back(
+      "The outlines are sampled: their facets are near the bodies, and no part of the answer.");
+  if (depth.bounds())
+    stages.left_out.emplace_back("The depth is known by bounds: the translation is drawn with their middle.");
+  add_answer(depth, stages);
+}
+
 Stages stages_of_shapes(const Body& a, const Body& b, const StageOptions& options) {
   const Shape shape_a = files::shape_of(a), shape_b = files::shape_of(b);
   SignedDepthOptions wanted;
@@ -272,17 +299,10 @@ Stages stages_of_shapes(const Body& a, const Body& b, const StageOptions& option
   wanted.cores.monitor = options.monitor;
   const SignedDepth depth = signed_depth(shape_a, shape_b, wanted);
   Stages stages;
-  stages.scale = scale_of_shapes(shape_a, shape_b);
   stages.left_out.emplace_back(
       "Of curved bodies there are no diagrams, charts and canonical pairs: those are left out.");
-  stages.a = outline_of("A", shape_a, stages);
-  stages.b = outline_of("B", shape_b, stages);
-  stages.left_out.emplace_back(
-      "The outlines are sampled: their facets are near the bodies, and no part of the answer.");
-  if (depth.bounds())
-    stages.left_out.emplace_back("The depth is known by bounds: the translation is drawn with their middle.");
+  add_outlines(a, b, depth, 3, stages);
   stages.counters = depth.counters();
-  add_answer(depth, stages);
   add_sampled_sum(stages);
   add_shape_coincidences(shape_a, shape_b, options, stages);
   return stages;

@@ -72,7 +72,7 @@ void add_diagram(const gaussian::GaussianDiagram& diagram, StagedBody& body) {
   }
 }
 
-StagedBody body_of(const polytope::Polytope& hull, const gaussian::GaussianDiagram& diagram, const Placing& placing) {
+StagedBody body_of(const polytope::Polytope& hull, const Placing& placing) {
   StagedBody body;
   body.rank = hull.rank;
   body.ids.assign(hull.input_ids.begin(), hull.input_ids.end());
@@ -82,7 +82,6 @@ StagedBody body_of(const polytope::Polytope& hull, const gaussian::GaussianDiagr
     Indices& corners = body.facets.emplace_back();
     for (std::uint32_t i = facet.begin; i < facet.end; ++i) corners.push_back(hull.corners[i].value);
   }
-  add_diagram(diagram, body);
   return body;
 }
 
@@ -96,8 +95,10 @@ void tell_of_lost_places(std::string_view name, const StagedBody& body, Stages& 
 
 void add_bodies(const StagesSource& subject, Stages& stages) {
   stages.scale = subject.placing.scale();
-  stages.a = body_of(subject.exact.hulls.a, subject.exact.diagrams.a, subject.placing);
-  stages.b = body_of(subject.exact.hulls.b, subject.exact.diagrams.b, subject.placing);
+  stages.a = body_of(subject.exact.hulls.a, subject.placing);
+  stages.b = body_of(subject.exact.hulls.b, subject.placing);
+  add_diagram(subject.exact.diagrams.a, stages.a);
+  add_diagram(subject.exact.diagrams.b, stages.b);
   tell_of_lost_places("A", stages.a, stages);
   tell_of_lost_places("B", stages.b, stages);
 }
@@ -311,6 +312,23 @@ Place unit(const Vector& direction) {
   const Place v{component(direction.x, most), component(direction.y, most), component(direction.z, most)};
   const double length = std::hypot(v[0], v[1], v[2]);
   return {v[0] / length + 0.0, v[1] / length + 0.0, v[2] / length + 0.0};
+}
+
+Stages stages_in_plane(const Body& a, const Body& b, const Answer& answer) {
+  const kernels::DefaultFloatEnvironment environment;
+  Stages stages;
+  stages.left_out.emplace_back(only_what_happens);
+  if (const SignedDepth* const shapes = std::get_if<SignedDepth>(&answer.found)) {
+    add_outlines(a, b, *shapes, 2, stages);
+    return stages;
+  }
+  const polytope::PlacedPair pair = polytope::place(a.points.exact(), b.points.exact());
+  const Placing placing(pair);
+  stages.scale = placing.scale();
+  stages.a = body_of(polytope::convex_hull(pair.a.points()), placing);
+  stages.b = body_of(polytope::convex_hull(pair.b.points()), placing);
+  add_contact(std::get<Depth>(answer.found), placing, stages);
+  return stages;
 }
 
 Stages stages_of(const Body& a, const Body& b, const StageOptions& options) {

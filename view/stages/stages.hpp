@@ -19,6 +19,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fathom/answer.hpp"
 #include "fathom/body.hpp"
 #include "fathom/counters.hpp"
 #include "fathom/depth.hpp"
@@ -260,6 +261,10 @@ struct StageOptions {
 /// signed_depth do.
 Stages stages_of(const Body& a, const Body& b, const StageOptions& options = {});
 
+/// Returns what pictures of two convex bodies of the plane need: outlines, and the contact of
+/// `answer`, which is theirs. The stages are those of bodies of space.
+Stages stages_in_plane(const Body& a, const Body& b, const Answer& answer);
+
 /// Returns one line of JSON without its newline, pure ASCII: stages.schema.json.
 std::string to_json(const Stages& stages);
 
@@ -320,8 +325,9 @@ struct UnionStages {
 };
 
 /// Throws std::invalid_argument as union_depth does, and if `depth` is not complete; Interrupted if
-/// the monitor stops it.
-UnionStages stages_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, Monitor* monitor = nullptr);
+/// the monitor stops it. `dimension`: 2 of bodies of the plane, whose sums are left out.
+UnionStages stages_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, Monitor* monitor = nullptr,
+                      unsigned dimension = 3);
 
 /// Returns one line of JSON without its newline, pure ASCII: union_stages.schema.json.
 std::string to_json(const UnionStages& stages);

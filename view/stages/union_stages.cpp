@@ -2,10 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "kernels/float_environment.hpp"
 #include "kernels/vector.hpp"
+#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/points.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/unions/pieces.hpp"
 #include "view/stages/parts.hpp"
@@ -22,10 +25,10 @@ constexpr std::size_t most_edges_of_pieces = 50'000;
 
 using Hulls = std::vector<polytope::Polytope>;
 
-StagedPiece piece_of(const polytope::Polytope& hull, const Placing& placing) {
+StagedPiece piece_of(const std::vector<Point>& points, const polytope::Polytope& hull, const Placing& placing) {
   StagedPiece piece;
   piece.ids.assign(hull.input_ids.begin(), hull.input_ids.end());
-  for (const Vector& v : hull.vertices) piece.vertices.push_back(placing.point(v));
+  for (const std::uint32_t id : hull.input_ids) piece.vertices.push_back(placing.point(points[id]));
   for (const polytope::Edge& edge : hull.edges) piece.edges.push_back({edge.from.value, edge.to.value});
   for (const polytope::Facet& facet : hull.facets) {
     Indices& corners = piece.facets.emplace_back();
@@ -150,8 +153,14 @@ Hulls hulls_of(const std::vector<unions::PlacedPiece>& pieces) {
   return hulls;
 }
 
-void add_pieces(const Hulls& hulls, const Placing& placing, std::vector<StagedPiece>& pieces) {
-  for (const polytope::Polytope& hull : hulls) pieces.push_back(piece_of(hull, placing));
+Hulls hulls_of(const Pieces& pieces) {
+  Hulls hulls;
+  for (const std::vector<Point>& piece : pieces) hulls.push_back(polytope::hull_of(piece));
+  return hulls;
+}
+
+void add_pieces(const Pieces& points, const Hulls& hulls, const Placing& placing, std::vector<StagedPiece>& pieces) {
+  for (std::size_t i = 0; i < hulls.size(); ++i) pieces.push_back(piece_of(points[i], hulls[i], placing));
 }
 
 void require_drawable(const Hulls& a, const Hulls& b) {
@@ -165,29 +174,33 @@ void require_drawable(const Hulls& a, const Hulls& b) {
 
 }  // namespace
 
-UnionStages stages_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, Monitor* monitor) {
+UnionStages stages_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, Monitor* monitor,
+                      unsigned dimension) {
   const kernels::DefaultFloatEnvironment environment;
   if (!depth.complete) throw std::invalid_argument("the search was stopped before its end");
-  const unions::PlacedPieces placed = unions::place_pieces(a, b, unions::Lattices::one);
-  const Placing placing(placed.whole);
-  const Hulls of_a = hulls_of(placed.a), of_b = hulls_of(placed.b);
+  const bool plane = dimension == 2;
+  std::optional<unions::PlacedPieces> placed;  // none of the plane: there they are flat
+  if (!plane) placed = unions::place_pieces(a, b, unions::Lattices::one);
+  const polytope::PlacedPair whole = placed ? placed->whole : polytope::place(polytope::joined(a), polytope::joined(b));
+  const Placing placing(whole);
+  const Hulls of_a = placed ? hulls_of(placed->a) : hulls_of(a), of_b = placed ? hulls_of(placed->b) : hulls_of(b);
   require_drawable(of_a, of_b);
   UnionStages stages;
   stages.status = depth.status;
   stages.scale = placing.scale();
-  add_pieces(of_a, placing, stages.a);
-  add_pieces(of_b, placing, stages.b);
+  add_pieces(a, of_a, placing, stages.a);
+  add_pieces(b, of_b, placing, stages.b);
   if (depth.apart) stages.ways.push_back(way_of(*depth.apart, placing));
   for (std::size_t k = 0; k < std::min(depth.optima.size(), most_ways); ++k)
     stages.ways.push_back(way_of(depth.optima[k], placing));
   stages.left_out.emplace_back(
-      "Sections 3 to 5 of the pages of convex bodies are left out: the stages of the algorithm of AGHRS, what "
-      "coincided and what it cost "
-      "are "
-      "those of convex pairs. The depth of unions is found by a search among the differences of their pieces.");
+      plane ? only_what_happens
+            : "Sections 3 to 5 of the pages of convex bodies are left out: the stages of the algorithm of AGHRS, what "
+              "coincided and what it cost are those of convex pairs. The depth of unions is found by a search among "
+              "the differences of their pieces.");
   if (depth.optima.size() > most_ways)
     stages.left_out.push_back(fmt::format("Of {} optima the first {} are here.", depth.optima.size(), most_ways));
-  add_sums(a, b, depth, placed, of_a, of_b, placing, monitor, stages);
+  if (placed) add_sums(a, b, depth, *placed, of_a, of_b, placing, monitor, stages);
   return stages;
 }
 

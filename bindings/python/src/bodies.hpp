@@ -36,8 +36,8 @@ void require_same_dimension(const Body& a, const Body& b);
 /// Returns the body for a Body; an array or a sequence of points; or an object with such
 /// `vertices`, whose `faces`, if any, are kept. Arrays of floats and sequences of binary64 numbers
 /// are stored as binary64. The pose is None, a Pose, a text, 3 or 4 rows of 4 numbers, or in the
-/// plane 2 or 3 rows of 3. Appends warnings about the pose to `notes`. Throws py::value_error with a
-/// sentence that begins with `name`, and py::type_error; refuses unions of pieces for the reason
+/// plane 2 or 3 rows of 3. Appends warnings about the pose to `notes`. Throws py::type_error, and
+/// py::value_error with a sentence that begins with `name`; refuses unions of pieces for the reason
 /// `no_union`.
 Body body_from(py::handle body, py::handle pose, const char* name, std::vector<std::string>* notes = nullptr,
                const char* no_union = union_depth_takes);

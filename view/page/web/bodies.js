@@ -8,9 +8,9 @@ const speck = 0.006;  // of the picture: what is smaller gets a dot
 
 /** {group, setWires(on), size, stand, middle}: faces and edges of a body in a frame, half of its greatest extent; where its letter stands, the
  *  middle of its box or of its largest piece, and half of the extent of that. */
-export function bodyParts(body, frame, isB) {
+export function bodyParts(body, frame, isB, flat = false) {
   const T = globalThis.THREE, group = new T.Group(), name = isB ? "--b" : "--a", order = isB ? layer.edges : layer.solidEdges;
-  const places = body.vertices.map(frame.place), faces = body.facets.length ? facesOf(places, body, name, isB) : [];
+  const places = body.vertices.map(frame.place), faces = body.facets.length ? facesOf(places, body, name, isB, flat) : [];
   const seen = body.sampled ? creases(places, body.facets) : body.edges, edges = seen.flatMap(([v, w]) => [places[v], places[w]]);
   group.add(...faces, segments(edges, name, order + 1, { width: faces.length ? 1.6 : 3, depthWrite: false }));
   if (faces.length && seen.length <= mostHidden)
@@ -22,14 +22,14 @@ export function bodyParts(body, frame, isB) {
   return { group, size, stand: main ? 1 / Math.min(...main.scale) : size, isSpeck: places.length > 0 && size < speck, middle: places.length ? (main ?? own).center : null, setWires };
 }
 
-function facesOf(places, { facets, isUnion }, name, isB) {
+function facesOf(places, { facets, isUnion }, name, isB, flat) {
   const T = globalThis.THREE, geometry = meshGeometry(triangles(places, facets));
   const back = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };  // faces of A and B in one plane do not flicker
-  if (!isB) return [surface(geometry, name, layer.solid, { opacity: 0.78, ...back })];
+  if (!isB) return [surface(geometry, name, layer.solid, { flat, opacity: 0.78, ...back })];
   const before = layer.glass - 1;  // what is behind other pieces of the same body is not seen
   return [
-    surface(geometry, name, layer.backs, { side: T.BackSide, opacity: 0.14, depthWrite: false }),
-    surface(geometry, name, layer.glass, { opacity: 0.5, depthWrite: false }, 0.3),
+    surface(geometry, name, layer.backs, { flat, side: T.BackSide, opacity: 0.14, depthWrite: false }),
+    surface(geometry, name, layer.glass, { flat, opacity: 0.5, depthWrite: false }, 0.3),
     surface(geometry, name, isUnion ? before : layer.glassDepth, { flat: true, colorWrite: false, ...back }),
   ];
 }

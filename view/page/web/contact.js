@@ -44,7 +44,7 @@ function touchingOf(data, way) {
 function witnessOf(data, way) {
   const told = data.status === "disjoint" ? data.depth.distance : data.depth, witness = told?.witness_f64?.b, { center, drawn } = placesOf(data.stages);
   if (!witness || !data.stages.scale || !way.isFirst) return null;
-  return witness.map((x, i) => drawn(x - nearest(center[i])));
+  return center.map((c, i) => drawn((witness[i] ?? 0) - nearest(c)));
 }
 
 function farthest(points, direction) {
@@ -66,7 +66,7 @@ export function arrowOf(data, way) {
 export function contactText(way, data) {
   if (way?.contacts) return way.contacts.slice(0, 8).map(({ pieces: [i, j] }) => `Piece ${i} of A touches piece ${j} of B.`).join(" ");
   const named = (body, vertices) => {
-    const word = ["", "point", "edge"][vertices.length] ?? "facet";
+    const word = ["", data.plane ? "vertex" : "point", "edge"][vertices.length] ?? "facet";
     const ids = vertices.map((v) => data.bodies[body].ids[v]);
     const few = ids.length > 8 ? `${ids.slice(0, 8).join(" ")} ... (${ids.length} points)` : ids.join(" ");
     return `${body.toUpperCase()}'s ${word} ${few}`;

@@ -3,6 +3,7 @@
 // `fathom stages`, which are good for pixels and decide nothing. Every index is one of the hull ("hull indices") unless it says "id".
 //
 //   data.depth, data.stages     the two objects; data.caseText the line of the case, as it was given
+//   data.plane                  whether the bodies are of the plane: looked at from +z, and flat; places have z = 0
 //   data.status                 "penetrating", "touching", "disjoint", "undecided"
 //   data.bodies.a, .b           {name, vertices, edges, facets, nodes, arcs, ids}; all of them arrays, empty where there is nothing
 //   data.optima                 [{direction: unit vector, translation, kind, a: [vertex], b: [vertex]}], as stages.contact.optima
@@ -37,6 +38,7 @@ export function makeData(depth, stages, caseText = "", motions = []) {
   const size = (pair) => pair.a.length * pair.b.length;
   return {
     depth, stages, caseText, bodies, pairs, facets, coincidences, verticesOf,
+    plane: depth.dimension === 2,
     status: depth.status ?? stages.status,
     charts: stages.charts ?? [],
     cutting: stages.cutting ?? null,

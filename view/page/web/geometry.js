@@ -56,6 +56,9 @@ export function sideView(arrow, second = null) {
   return { from: unit(plus(plus(toward, times(up, 0.38)), times(right, 0.34))), up };
 }
 
+/** Upon the plane of x and y. */
+export const planeView = { from: [0, 0, 1], up: [0, 1, 0] };
+
 /** The triangles of a convex polygon's corners, as indices into the polygon. */
 export function fan(count) {
   const result = [];

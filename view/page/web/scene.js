@@ -2,6 +2,7 @@
 // A 3-D picture in the page: canvas, camera, turning, fitting, words in front of it. Frames are drawn on demand only.
 //
 //   const view = createView(root, "what it shows");   throws NoWebGL where there is none: catch it with withView
+//   view.flat                                         whether it shows the plane from +z: it does not turn, and nothing is shaded
 //   view.scene, view.camera, view.canvas              three.js's; add what is to be seen
 //   view.render()                                     asks for a frame
 //   view.fit(points, {from, up})                      shows these points from this direction, and again when the size changes
@@ -22,10 +23,10 @@ const noWebGLText = {
 };
 
 /** Calls f(view), or leaves what stands in root and says why. */
-export function withView(root, label, f) {
+export function withView(root, label, f, flat = false) {
   const before = [...root.childNodes];
   try {
-    const view = createView(root, label);
+    const view = createView(root, label, flat);
     root.replaceChildren(view.stage);
     view.resize();
     return f(view, before);
@@ -54,23 +55,24 @@ function frustum(camera) {
   return { x: tan * camera.aspect, y: tan };
 }
 
-export function createView(root, label) {
+export function createView(root, label, flat = false) {
   const T = globalThis.THREE;
   const canvas = element("canvas", { role: "img", "aria-label": label, tabindex: 0 });
   const renderer = rendererOf(canvas);
   const words = element("div", { class: "words", "aria-hidden": "true" });
-  const stage = element("div", { class: "stage" }, canvas, words);
+  const stage = element("div", { class: flat ? "stage flat" : "stage" }, canvas, words);
   const scene = new T.Scene(), camera = new T.PerspectiveCamera(fieldOfView, 1, 0.01, 100);
   const hemisphere = new T.HemisphereLight(0xffffff, 0xb8bcc4, 2.3), sun = new T.DirectionalLight(0xffffff, 1.5);
   scene.add(hemisphere, camera);
   camera.add(sun);
   sun.position.set(-0.5, 0.9, 0.6);
   const controls = new T.OrbitControls(camera, canvas);
+  controls.enableRotate = !flat;
   const hooks = [], labels = [];
   let asked = 0, fitted = null, calls = 0;
 
   const view = {
-    stage, canvas, scene, camera, controls,
+    stage, canvas, scene, camera, controls, flat,
     drawCalls: () => calls,
     beforeFrame: (f) => hooks.push(f),
     label(text, name, place) {
@@ -178,7 +180,7 @@ export function fitOf(points, { from, up }, tan) {
 const minMax = (values) => values.reduce(([l, h], x) => [Math.min(l, x), Math.max(h, x)], [Infinity, -Infinity]);
 
 /** The wheel turns the page until the picture has been clicked; then it zooms. Fingers scroll up and down, and turn sideways. */
-function hearKeysOf({ canvas, controls, camera, render }) {
+function hearKeysOf({ canvas, controls, camera, render, flat }) {
   const T = globalThis.THREE;
   controls.enableZoom = false;
   canvas.style.touchAction = "pan-y";
@@ -188,7 +190,7 @@ function hearKeysOf({ canvas, controls, camera, render }) {
   canvas.addEventListener("keydown", (event) => {
     const away = camera.position.clone().sub(controls.target);
     const side = { ArrowLeft: [0, 1], ArrowRight: [0, -1], ArrowUp: [1, 1], ArrowDown: [1, -1] }[event.key];
-    if (side && event.shiftKey) {
+    if (side && event.shiftKey && !flat) {
       const axis = side[0] ? new T.Vector3().crossVectors(camera.up, away).normalize() : camera.up;
       const turned = away.clone().applyAxisAngle(axis, side[1] * -0.15);
       if (Math.abs(turned.clone().normalize().dot(camera.up)) < 0.995) away.copy(turned);

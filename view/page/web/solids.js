@@ -126,7 +126,7 @@ export function emptied(group) {
 
 /** An arrow of two meshes, as wide as pixels however near the camera is. place(from, to) sets it. */
 export function arrow(view, name) {
-  const T = globalThis.THREE, group = new T.Group(), options = { depthTest: false, depthWrite: false };
+  const T = globalThis.THREE, group = new T.Group(), options = { flat: view.flat, depthTest: false, depthWrite: false };
   const shaft = surface(new T.CylinderGeometry(1, 1, 1, 16), name, layer.arrow, options);
   const head = surface(new T.ConeGeometry(1, 1, 24), name, layer.arrow + 1, options);
   group.add(shaft, head);
@@ -148,6 +148,13 @@ export function arrow(view, name) {
   return { group, place(p, q) { from = p; to = q; } };
 }
 
+/** The directions of x and y, from a corner: {lines, ends: [place, place]}, the ends a little beyond the lines. */
+export function axes(corner, length) {
+  const along = (far) => [[far, 0, 0], [0, far, 0]].map((by) => plus(corner, by));
+  const lines = segments(along(length).flatMap((tip) => [corner, tip]), "--soft", layer.strong, { width: 1.5, depthTest: false });
+  return { lines, ends: along(1.3 * length) };
+}
+
 /** A feature in contact: a dot, a thick line, or a thick outline with its area. Seen through what hides it, but fainter. */
 export function feature(points, name, normal) {
   const T = globalThis.THREE, group = new T.Group();
@@ -164,8 +171,12 @@ export function feature(points, name, normal) {
   return group;
 }
 
-/** A square of a plane with its outline. */
-export function planeSquare(place, normal, half, name) {
+/** A square of a plane with its outline; upon the plane of x and y, a line of it. */
+export function planeSquare(place, normal, half, name, flat = false) {
+  if (flat) {
+    const ends = [-half, half].map((by) => plus(place, times(cross([0, 0, 1], unit(normal)), by)));
+    return segments(ends, name, layer.plane + 1, { width: 1.2, opacity: 0.7, depthWrite: false });
+  }
   const T = globalThis.THREE, group = new T.Group(), x = times(across(normal), half), y = cross(unit(normal), x);
   const ring = [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([i, j]) => plus(place, plus(times(x, i), times(y, j))));
   const glass = { flat: true, side: T.DoubleSide, depthWrite: false, opacity: 0.16 };

@@ -3,7 +3,7 @@
 // vertices, edges and facets of all its pieces; a pair is one of pieces, whose differences reach into the ball; there are no facets of P, no
 // charts, no coincidences.
 //
-//   data.isUnion                true
+//   data.isUnion                true; data.plane as in data.js
 //   data.bodies.a, .b           with pieces: [{edges: [edge], vertexOfId: Map}], and mainPart: the vertices of the largest piece
 //   data.optima                 as data.js, with clearance and contacts: [{pieces: [i, j], direction, kind, a: [vertex], b: [vertex]}]
 //   data.way                    of bodies that do not overlap: an optimum's fields, to the contact
@@ -20,7 +20,7 @@ export function makeUnionData(depth, stages, caseText = "") {
     return { pieces: sum.pieces, a: bodies.a.pieces[i].edges, b: bodies.b.pieces[j].edges, sum };
   });
   return {
-    isUnion: true, depth, stages, caseText, bodies, pairs, status: stages.status,
+    isUnion: true, plane: depth.dimension === 2, depth, stages, caseText, bodies, pairs, status: stages.status,
     optima: overlap ? ways : [], way: overlap ? null : (ways[0] ?? null),
     patches: patchesOf(depth, stages), motions: [],
     facets: [], coincidences: [], charts: [], cutting: null,

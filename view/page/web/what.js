@@ -2,26 +2,26 @@
 // Section 1, What happens: the two bodies, the way out, and A moving along it.
 import { bodyParts, ghostOf, isFaint } from "./bodies.js";
 import { arrowOf, contactText, meetingOf, wayOf } from "./contact.js";
-import { dot, frameOf, middle, minus, norm, plus, sideView, times } from "./geometry.js";
+import { dot, frameOf, middle, minus, norm, planeView, plus, sideView, times } from "./geometry.js";
 import { calm, element } from "./look.js";
 import { carrierOf } from "./motions.js";
 import { placesOf } from "./places.js";
 import { onViewLook, withView } from "./scene.js";
 import { secondNormal } from "./uniondata.js";
-import { arrow, carry, emptied, feature, layer, planeSquare, recolour, segments } from "./solids.js";
+import { arrow, axes, carry, emptied, feature, layer, planeSquare, recolour, segments } from "./solids.js";
 
 const mostContactsDrawn = 60;
 const unseen = 0.012;  // of the picture: a shorter arrow is not seen
 
 export function mountWhat(root, data, selection) {
   if (!data.bodies.a.vertices.length || !data.bodies.b.vertices.length) return {};
-  return withView(root, whatLabel(data), (view) => whatPicture(root, view, data, selection));
+  return withView(root, whatLabel(data), (view) => whatPicture(root, view, data, selection), data.plane);
 }
 
 function whatLabel(data) {
   const way = wayOf(data, { facet: null, optimum: 0 });
-  const seen = `Bodies A, toned, and B, hatched, in space. ${contactText(way, data)}`;
-  return `${seen} Shift and arrow keys turn, plus and minus zoom.`;
+  const seen = `Bodies A, toned, and B, hatched, in ${data.plane ? "the plane" : "space"}. ${contactText(way, data)}`;
+  return data.plane ? `${seen} Plus and minus zoom.` : `${seen} Shift and arrow keys turn, plus and minus zoom.`;
 }
 
 /** The way that is shown before anything is chosen; nothing to move where there is none. */
@@ -37,7 +37,7 @@ function contactsOf(way) {
 function whatPicture(root, view, data, selection) {
   const { a, b } = data.bodies, first = firstWay(data);
   const frame = frameOf([...a.vertices, ...b.vertices, ...a.vertices.map((p) => plus(p, first.translation))]);
-  const bodies = [bodyParts(a, frame, false), bodyParts(b, frame, true)];
+  const bodies = [bodyParts(a, frame, false, data.plane), bodyParts(b, frame, true, data.plane)];
   const moving = movingParts(view, data, frame, bodies);
   view.scene.add(bodies[1].group);
   selection.subscribe((state, changed) => {
@@ -47,8 +47,9 @@ function whatPicture(root, view, data, selection) {
     view.render();
   });
   letters(view, bodies, moving, frame);
+  const corner = data.plane ? axesIn(view) : [];
 
-  const views = viewsOf(view, data, frame, moving);
+  const views = viewsOf(view, data, frame, moving, corner);
   root.append(controlsOf(view, selection, views, bodies, data, norm(first.translation) > 0), legend(data, frame, bodies, first));
   views.fit();
   onViewLook(view, () => recolour(view.scene));
@@ -81,7 +82,7 @@ function movingParts(view, data, frame, [bodyA, bodyB]) {
         const normal = frame.normal(each.direction), at = frame.place(contacts.length > 1 ? meetingOf(data, { ...way, contacts: [each] }) : ends.to);
         contact.a.add(feature(placed(a, each.a), "--a", normal));
         contact.b.add(feature(placed(b, each.b), "--b", normal));
-        plane.add(planeSquare(at, normal, contacts.length > 1 ? half / 3 : half, "--true"));
+        plane.add(planeSquare(at, normal, contacts.length > 1 ? half / 3 : half, "--true", view.flat));
       }
       for (const patch of way.patches.slice(0, mostContactsDrawn)) {
         contact.a.add(feature(patch.a.map(frame.place), "--true", frame.normal(patch.direction)));
@@ -122,11 +123,19 @@ function letters(view, [bodyA, bodyB], moving, frame) {
   view.label("B", "of-b", () => aside(bodyB, -0.35));
 }
 
-function viewsOf(view, data, frame, moving) {
+/** The axes, left of and below all bodies; returns their places. */
+function axesIn(view) {
+  const corner = [-1.06, -1.06, 0], { lines, ends } = axes(corner, 0.2);
+  view.scene.add(lines);
+  ["x", "y"].forEach((name, i) => view.label(name, "of-axis", () => ends[i]));
+  return [corner, ...ends];
+}
+
+function viewsOf(view, data, frame, moving, corner) {
   const { a, b } = data.bodies;
   const places = a.vertices.map(frame.place);
-  const all = () => [...[...b.vertices, ...a.vertices.map((p) => plus(p, moving.way().translation))].map(frame.place), ...places, ...places.map(moving.carried)];
-  const side = () => sideView(frame.move(moving.way().translation), secondNormal(moving.way()));
+  const all = () => [...[...b.vertices, ...a.vertices.map((p) => plus(p, moving.way().translation))].map(frame.place), ...places, ...places.map(moving.carried), ...corner];
+  const side = () => (data.plane ? planeView : sideView(frame.move(moving.way().translation), secondNormal(moving.way())));
   return {
     fit: () => view.fit(all(), side()),
     alongN: () => view.fit(all(), { from: frame.normal(moving.way().direction), up: side().up }),
@@ -151,7 +160,7 @@ function lookAtContact(view, frame, data, moving) {
   const features = [...ofA, ...ofB].map(frame.place);
   const span = Math.max(0, ...features.map((p) => norm(minus(p, frame.place(ends.to)))));
   const radius = length > 0 ? Math.max(1.3 * length, 1e-5) : Math.max(0.6 * span, 0.2);
-  view.look(times(plus(frame.place(ends.from), frame.place(ends.to)), 0.5), radius * 4.4, sideView(frame.move(way.translation)));
+  view.look(times(plus(frame.place(ends.from), frame.place(ends.to)), 0.5), radius * 4.4, data.plane ? planeView : sideView(frame.move(way.translation)));
 }
 
 /** What tests ask: the features in places of the data, A's where it is drawn, and how far A's is before B's along n, in input's units. */
@@ -178,7 +187,7 @@ function controlsOf(view, selection, views, bodies, data, canMove) {
   wires.setAttribute("aria-pressed", "false");
   const buttons = element("div", { class: "buttons", role: "group", "aria-label": "Views" },
     button("fit", "All of both bodies, across the way out", views.fit),
-    button("along n", "Against the direction of the way out", views.alongN),
+    data.plane ? null : button("along n", "Against the direction of the way out", views.alongN),
     button("contact", "Close to where the bodies meet", views.contact), wires);
   return element("div", { class: "controls" }, canMove ? sliderOf(selection, data.status) : null, buttons);
 }
@@ -211,18 +220,24 @@ function sliderOf(selection, status) {
     element("button", { type: "button", class: "plain", onclick: play(1) }, status === "disjoint" ? "A moved to B" : "A moved out"));
 }
 
+function endOf(data, way) {
+  const line = data.plane ? "line" : "plane";
+  if (way.contacts) return `where pieces touch; ${data.plane ? "lines: those" : "squares: planes"} between those`;
+  return `at the ${line} that then separates both`;
+}
+
 function legend(data, frame, bodies, way) {
   const overlap = data.status === "penetrating", apart = data.status === "disjoint", touching = data.status === "touching";
   const length = norm(frame.move(way.translation));
-  const arrowText = overlap ? "Arrow: the way out of A" : apart ? "Arrow: the shortest way of A to B." : touching ? "Plane: it separates them." : "";
+  const arrowText = overlap ? "Arrow: the way out of A" : apart ? "Arrow: the shortest way of A to B." : touching ? `${data.plane ? "Line" : "Plane"}: it separates them.` : "";
   const where = overlap ? "where they touch then" : apart ? "where they are nearest" : "where they touch", most = mostContactsDrawn;
   const drawn = way.patches.length > most ? `the first ${most} of ${way.patches.length} places` : "all points";
   const result = element("p", { class: "soft legend" },
     element("span", { class: "of-a" }, "A solid"), ", ", element("span", { class: "of-b" }, "B hatched"),
-    way.a.length ? "; faces that meet are thick. " : ". ",
+    way.a.length ? `; ${data.plane ? "vertices and edges" : "faces"} that meet are thick. ` : ". ",
     way.patches.length ? element("span", { class: "of-true" }, `Green: ${drawn} ${where}. `) : null,
     element("span", { class: "of-true" }, arrowText),
-    overlap ? `, ending ${way.contacts ? "where pieces touch; squares: planes between those" : "at the plane that then separates both"}; ${isFaint(data.bodies.a) ? "faint" : "dashed"}: A at its end.` : "");
+    overlap ? `, ending ${endOf(data, way)}; ${isFaint(data.bodies.a) ? "faint" : "dashed"}: A at its end.` : "");
   const strong = (text) => result.append(element("strong", {}, ` ${text}`));
   if (frame.apart) strong("Axes scaled apart: the extents differ more than a hundredfold.");
   for (const [i, body] of bodies.entries()) if (body.isSpeck) strong(`${"AB"[i]} is too small to be seen: a dot stands for it.`);
