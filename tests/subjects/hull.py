@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The facets of the convex hull of a few points, found exactly: every plane through three of them is tried."""
+"""The facets of the convex hull of a few points, found exactly: every plane through three of them is tried. In the plane they are edges."""
 import fractions
 import itertools
 import math
@@ -59,9 +59,19 @@ def one_side(points, indices, normal, offset):
     return side, tuple(corners)
 
 
+def edges(points):
+    up = [0, 0, 1]
+    if not any(dot(up, cross(minus(p, points[0]), minus(q, points[0]))) for p, q in itertools.combinations(points, 2)):
+        return []
+    ring = around(range(len(points)), up, points)
+    return [list(edge) for edge in zip(ring, ring[1:] + ring[:1])]
+
+
 def facets(points):
     """Lists of indices, counter-clockwise from outside, one for each facet; [] for a body that is flat. Points that are no corners, and
-    all but one of equal points, are in none."""
+    all but one of equal points, are in none. In the plane: the edges, each from corner to corner, one behind the other."""
+    if len(points[0]) == 2:
+        return edges(integers([[*point, 0] for point in points]))
     points = integers(points)
     first = {}
     for i, point in enumerate(points):

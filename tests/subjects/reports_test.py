@@ -12,7 +12,7 @@ import sys
 import tempfile
 import unittest
 
-import web_test
+import web_install
 from client import ROOT
 
 REPORTS = ROOT / "verify" / "reports"
@@ -123,8 +123,8 @@ class Programs(unittest.TestCase):
 if __name__ == "__main__":
     part = sys.argv.pop(1)
     if part == "programs":
-        NO_WEB = web_test.install()
+        NO_WEB = web_install.install()
         if all(missing(name) for name in TABLE):
             print("reports_test.py: skipped: none of the libraries is here", file=sys.stderr)
-            sys.exit(web_test.SKIPPED)
+            sys.exit(web_install.SKIPPED)
     unittest.main(defaultTest={"programs": "Programs", "proofs": "Proofs"}[part])

@@ -8,7 +8,8 @@ import sys
 import tempfile
 import unittest
 
-import web_test
+import web_install
+from client import Client
 from client import ROOT
 
 SURVEY = ROOT / "verify" / "survey"
@@ -29,15 +30,15 @@ class Versions(unittest.TestCase):
 
     def test_unknown_versions(self):
         for version in ("3.11.0", "../..", "3.14"):
-            client = web_test.subject("native", f"version={version}")
+            client = Client("mujoco.mjs", "native", f"version={version}")
             code, talk = client.wait()
             self.assertEqual((code, client.line()), (2, ""), talk)
             self.assertIn("is not in history/node_modules", talk)
 
 
 if __name__ == "__main__":
-    missing = web_test.install("history")
+    missing = web_install.install("history")
     if missing:
         print(f"versions_test.py: skipped: {missing}", file=sys.stderr)
-        sys.exit(web_test.SKIPPED)
+        sys.exit(web_install.SKIPPED)
     unittest.main()

@@ -6,21 +6,18 @@ import json
 import os
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import unittest
 from itertools import islice
 
 import shapes_test as shapes
+import web_install
 from client import HELLO, ROOT, Client
 from subject_test import APART, CUBE, PENETRATING, TRIANGLE, check_apart, check_contacts, check_manifold, dot
 
 ENGINE = os.environ["FATHOM_SUBJECT"]
-WEB = ROOT / "verify" / "subjects" / "web"
-README = WEB / "README.md"
-SKIPPED = 77
-OFFLINE = re.compile("ENOTFOUND|EAI_AGAIN|ECONNREFUSED|ECONNRESET|ETIMEDOUT|ENETUNREACH|EHOSTUNREACH|ERR_SOCKET_TIMEOUT|network")
+README = web_install.WEB / "README.md"
 MODES = {"jolt": ["radius0", "radius", "world"], "rapier": ["contact", "world"], "physx": ["gjk", "sweep", "scene"], "havok": ["proximity"],
          "mujoco": ["native", "single", "libccd", "distance"], "cannon": ["sat", "contact"]}[ENGINE]
 PRECISION = {"cannon": "binary64", "mujoco": {"points": "binary32", "answers": "binary64"}}.get(ENGINE, "binary32")
@@ -39,25 +36,6 @@ TELL_POSITIONS = ["jolt-world", "rapier-world", "physx-scene", "mujoco-native", 
 NO_EDGES = ["physx-scene"]
 EVERY = 3  # of the pairs of shapes, so that the test ends soon; both orders and all bodies are among them
 MODULE = pathlib.Path(__file__).name
-
-
-def install(*more):
-    """The engines' packages beside their adapters, or the reason why they cannot be there."""
-    node, npm = shutil.which("node") or shutil.which("nodejs"), shutil.which("npm")
-    if not node or not npm:
-        return "node 18 or later and npm are not here"
-    folder = pathlib.Path(os.environ["FATHOM_SUBJECTS"])
-    lock = os.open(folder / "web-subjects.lock", os.O_CREAT | os.O_WRONLY)
-    os.lockf(lock, os.F_LOCK, 0)  # the tests of several engines start at once
-    try:
-        done = subprocess.run([WEB / "install.sh", node, npm, folder / "web-subjects", *more], capture_output=True, text=True, check=False)
-    finally:
-        os.close(lock)
-    if done.returncode == 0:
-        return None
-    if OFFLINE.search(done.stderr):
-        return done.stderr
-    sys.exit(done.stderr)
 
 
 def subject(mode, *settings):
@@ -245,8 +223,8 @@ class Web(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    missing = install()
+    missing = web_install.install()
     if missing:
         print(f"{MODULE}: skipped: {missing}", file=sys.stderr)
-        sys.exit(SKIPPED)
+        sys.exit(web_install.SKIPPED)
     unittest.main()

@@ -5,7 +5,7 @@
 //   node ENGINE.mjs MODE [KEY=VALUE ...]
 //
 // Exit codes: 0; 2 for a wrong command line; 70 where the engine's WebAssembly module is broken: nothing that it says later counts.
-import { createRequire } from 'node:module';
+import { readFileSync } from 'node:fs';
 import { basename } from 'node:path';
 import { run, Unsupported } from './fathom_subject.mjs';
 
@@ -57,7 +57,7 @@ export function note(key, text) {
 
 /** What a package's package.json says of its version. */
 export function versionOf(name) {
-  return createRequire(import.meta.url)(`${name}/package.json`).version;
+  return JSON.parse(readFileSync(new URL(`node_modules/${name}/package.json`, import.meta.url), 'utf8')).version;
 }
 
 /** The engine makes no hull of these points. It is then not asked about a flat body, and fails with a solid one, which it ought to take. */
@@ -110,18 +110,33 @@ function demandRotation(rows) {
 
 /**
  * A body as engines take it: `points` about the place `at`, with `faces`; or the shape with its fields, turned by the unit quaternion
- * `turn` ([w, x, y, z]) and placed at `at`. Vertices are relative to their mean, rounded to the engine's numbers, as engines expect a
+ * `turn` ([w, x, y, z]; in the plane [cos, sin]) and placed at `at`. Vertices are relative to their mean, rounded to the engine's numbers, as engines expect a
  * body about its own origin.
  */
-function placed(body, round) {
+function placed(body, round, dimension) {
+  if (body.shape && dimension === 2) {
+    const [[c, minusS], [s, d]] = body.rotation;
+    demandRotation([[c, minusS, 0], [s, d, 0], [0, 0, 1]]);
+    return { ...body, turn: [c, s], at: body.translation.map(round) };
+  }
   if (body.shape) {
     demandRotation(body.rotation);
     return { ...body, turn: body.quaternion ? unit(body.quaternion) : quaternionOf(body.rotation), at: body.translation.map(round) };
   }
   const count = body.vertices.length;
-  const at = [0, 1, 2].map((i) => round(body.vertices.reduce((sum, p) => sum + p[i] / count, 0)));
+  const at = Array.from({ length: dimension }, (_, i) => round(body.vertices.reduce((sum, p) => sum + p[i] / count, 0)));
   const points = body.vertices.map((p) => p.map((x, i) => round(x - at[i])));
-  return { shape: null, points, faces: body.faces, at, turn: [1, 0, 0, 0] };
+  return { shape: null, points, faces: body.faces, at, turn: dimension === 2 ? [1, 0] : [1, 0, 0, 0] };
+}
+
+/** The angle of a turn in the plane. */
+export const angleOf = ([cosine, sine]) => Math.atan2(sine, cosine);
+
+/** The corners of a placed body of the plane that is no shape, counter-clockwise. Throws Refused without an interior, or beyond `most`. */
+export function cornersOf({ points, faces }, most = Infinity) {
+  if (!faces.length) throw new Refused('it has no interior');
+  if (faces.length > most) throw new Unsupported(`${faces.length} corners: this engine takes ${most}`);
+  return faces.map(([from]) => points[from]);
 }
 
 /** The shape's quaternion for an engine that lays such shapes along `axis`. */
@@ -130,7 +145,7 @@ export const turnFrom = (body, axis) => product(body.turn, turnOfAxis(axis, body
 /**
  * Answers cases with one mode of an engine.
  *
- * name, version, precision  as in the hello
+ * name, version, precision, dimension  as in the hello
  * modes                     for each mode { call, depth, moves, unit, claims, shapes, manifold, ask(a, b) }: the conventions, and what it
  *                           answers for two made bodies
  * make(body)                what the engine makes of a placed body. Throws Refused where it makes no hull of the points
@@ -139,7 +154,7 @@ export const turnFrom = (body, axis) => product(body.turn, turnOfAxis(axis, body
  *
  * The time told is that of `ask` alone: the bodies are made before.
  */
-export async function serve({ name, version, precision, modes, make, free = () => {}, hulls = () => ({}) }) {
+export async function serve({ name, version, precision, dimension = 3, modes, make, free = () => {}, hulls = () => ({}) }) {
   const own = modes[mode];
   if (!own) refuse(`expected a mode, one of ${Object.keys(modes).join(', ')}, instead of ${JSON.stringify(mode)}`);
   if (given.size) refuse(`${[...given.keys()].join(', ')}: no such setting (there are ${Object.keys(inForce).join(', ')})`);
@@ -153,7 +168,7 @@ export async function serve({ name, version, precision, modes, make, free = () =
     try {
       for (const body of [a, b]) {
         demandDeclared(body, shapes);
-        made.push(make(placed(body, round)));
+        made.push(make(placed(body, round, dimension)));
       }
       const start = process.hrtime.bigint();
       const answer = own.ask(made[0], made[1]);
@@ -170,7 +185,7 @@ export async function serve({ name, version, precision, modes, make, free = () =
       for (const body of made) free(body);
     }
   };
-  await run(solve, { name: `${name}-${mode}`, version, precision, depth, moves, unit: isUnit, claims, faces: true, shapes, settings: inForce,
+  await run(solve, { name: `${name}-${mode}`, version, dimension, precision, depth, moves, unit: isUnit, claims, faces: true, shapes, settings: inForce,
                      manifold: limits || undefined });
 }
 
