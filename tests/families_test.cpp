@@ -124,14 +124,15 @@ TEST(Families, NamesAreUniqueAndPlain) {
 
 TEST(Families, EachIsOfTheKindThatItIsListedAmong) {
   std::size_t listed = 0;
-  for (const Kind kind : {Kind::polytopes, Kind::shapes, Kind::unions})
+  for (const Kind kind : {Kind::polytopes, Kind::shapes, Kind::unions, Kind::plane})
     for (const Family& family : fathom::families::families(kind)) {
       EXPECT_EQ(family.kind(), kind) << family.name;
       EXPECT_EQ(&family, &all_families()[listed++]);
       const Case pair = family.make(1, 5);
       for (const Body* body : {&pair.a, &pair.b}) {
         // Of a shape's pair one may be a hull.
-        EXPECT_TRUE(kind == Kind::shapes || !body->shape) << family.name;
+        EXPECT_TRUE(kind == Kind::shapes || kind == Kind::plane || !body->shape) << family.name;
+        EXPECT_EQ(body->dimension, kind == Kind::plane ? 2U : 3U) << family.name;
         EXPECT_EQ(body->pieces != nullptr, kind == Kind::unions) << family.name;
       }
     }

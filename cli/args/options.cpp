@@ -130,6 +130,7 @@ std::vector<Option> make_table() {
       flag("cases", "--shapes",
            "after --list, --catalogue, --family all: those of round and curved bodies, not those of polytopes"),
       flag("cases", "--unions", "likewise: those of bodies that are not convex, as unions of convex pieces"),
+      flag("cases", "--plane", "after --list, --family all: those of bodies of the plane"),
       file("cases", "--from-fcl", "FILE", FileUse::read,
            "the failures in a log or a text of FCL (\"Error with configuration\"; -: standard input): boxes and Convex "
            "with their poses; "

@@ -46,7 +46,9 @@ std::string wrong_cases(const Given& given) {
     return "--count goes with --family and --small-world";
   const bool of_many =
       given.has("--catalogue") || given.has("--list") || given.words("--family") == std::vector<std::string>{"all"};
-  for (const char* option : {"--shapes", "--unions"})
+  if (given.flag("--plane") && (given.has("--catalogue") || given.flag("--shapes") || given.flag("--unions")))
+    return "--plane goes with --list and --family all, and with no other kind of bodies";
+  for (const char* option : {"--shapes", "--unions", "--plane"})
     if (given.flag(option) && !of_many) return fmt::format("{} goes with --list, --catalogue and --family all", option);
   if (given.flag("--shapes") && given.flag("--unions"))
     return "--shapes and --unions are two kinds of bodies: ask for one after the other";

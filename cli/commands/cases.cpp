@@ -77,7 +77,14 @@ std::string known_square(Status status) { return status == Status::disjoint ? "d
 using Source = std::vector<std::pair<std::string, std::string>>;
 
 void print_case(const Case& pair, Source source, const std::string& comment) {
-  print(files::case_json({pair.id, files::body_json(pair.a), files::body_json(pair.b), std::move(source), comment}));
+  print(files::case_json({pair.id,
+                          files::body_json(pair.a),
+                          files::body_json(pair.b),
+                          std::move(source),
+                          comment,
+                          false,
+                          {},
+                          pair.a.dimension == 2}));
 }
 
 void print_case(const families::ShapeCase& shapes, Source source, const std::string& comment) {
@@ -94,8 +101,10 @@ void print_case_of(const families::Family& family, std::uint64_t seed, const Fam
   else print_case(family.make(seed, size), std::move(source), "");
 }
 
-/// Returns the kind of families that the options choose: shapes, unions, or else polytopes.
+/// Returns the kind of families that the options choose: shapes, unions, bodies of the plane, or else
+/// polytopes.
 families::Kind asked_kind(const Given& given) {
+  if (given.flag("--plane")) return families::Kind::plane;
   if (given.flag("--shapes")) return families::Kind::shapes;
   return given.flag("--unions") ? families::Kind::unions : families::Kind::polytopes;
 }
@@ -110,7 +119,7 @@ FamilyList families_like(const std::string& pattern) {
   if (result.empty())
     throw InputError("--family", 0,
                      fmt::format("{} is unknown (nearest: {}; --list lists all of polytopes, with --shapes those of "
-                                 "shapes, with --unions those of unions)",
+                                 "shapes, with --unions those of unions, with --plane those of the plane)",
                                  kernels::shown(pattern), fmt::join(nearest_families(pattern), ", ")));
   return result;
 }

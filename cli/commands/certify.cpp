@@ -87,12 +87,12 @@ class CertifyCases {
 
 /// Returns what is wrong with the bodies, or "".
 std::string wrong_certified(const Case& single) {
-  if (std::string wrong = wrong_bodies(single, false, "", ""); !wrong.empty()) return wrong;
+  if (std::string wrong = wrong_bodies(single, false, "", "", ""); !wrong.empty()) return wrong;
   for (const auto& [body, name] : {std::pair(&single.a, 'a'), {&single.b, 'b'}}) {
     if (!files::has_union(single)) break;
     const Pieces pieces = pieces_of(*body);
     for (std::size_t i = 0; i < pieces.size(); ++i)
-      if (is_flat(hull(pieces[i])))
+      if (harness::is_flat_piece(*body, i))
         return fmt::format("{}: piece {} is flat: the pieces of a union need interiors", name, i);
   }
   return "";
@@ -173,6 +173,8 @@ class Certify {
       if (!replay_) examiner_ = std::make_shared<Examiner>(command_, settings());
       if (!certify_.print_input.empty()) return print_input();
       if (examiner_ && !examiner_->passed_over().empty()) tell("notes on the subject", examiner_->passed_over());
+      if (!certify_.shrink.empty() && info().dimension == 2)
+        throw InputError("--shrink", 0, "it makes bodies of space smaller, and the subject takes those of the plane");
       found_.emplace(certify_, info(), cases_->expected());
       examine();
       return finish();
@@ -269,6 +271,7 @@ class Certify {
     plan.format = info().format;
     plan.fit = certify_.fit;
     plan.shapes = info().shapes;
+    plan.dimension = info().dimension;
     plan.manifold = info().conventions.manifold;
     plan.tolerance = certify_.tolerance;
     plan.next = [this] { return next_case(); };

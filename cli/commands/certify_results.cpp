@@ -80,7 +80,8 @@ std::map<std::pair<Verdict, std::string>, const FailedCase*> starts(const Collec
 
 /// Returns whether the subject gets exactly these bodies, without rounding.
 bool is_seen_as_it_is(const Case& pair, const harness::SubjectInfo& info, long exponent) {
-  const std::optional<Case> seen = harness::as_seen(pair, harness::in_unit(info.format, exponent), info.shapes);
+  const std::optional<Case> seen =
+      harness::as_seen(pair, harness::in_unit(info.format, exponent), info.shapes, nullptr, info.dimension);
   return seen && harness::digest_of(*seen) == harness::digest_of(pair);
 }
 

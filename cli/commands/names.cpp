@@ -78,6 +78,15 @@ const std::vector<Adapter>& adapters() {
       {"cannon-sat", "web-subjects/cannon.mjs", "sat", "cannon-es, binary64: findSeparatingAxis, testSepAxis"},
       {"cannon-contact", "web-subjects/cannon.mjs", "contact",
        "cannon-es, binary64: findSeparatingAxis, clipAgainstHull"},
+      {"planck", "web-subjects/planck.mjs", "manifold",
+       "planck, binary64, in the plane: the deepest point of a manifold"},
+      {"matter", "web-subjects/matter.mjs", "sat", "matter-js, binary64, in the plane: Collision.collides"},
+      {"box2d", "web-subjects/box2d.mjs", "world",
+       "Box2D 3, binary32, in the plane: the deepest point of a step's manifold"},
+      {"rapier2d-contact", "web-subjects/rapier2d.mjs", "contact",
+       "Rapier, binary32, in the plane: contactCollider, which is parry's query"},
+      {"rapier2d-world", "web-subjects/rapier2d.mjs", "world",
+       "Rapier, binary32, in the plane: the deepest point of a step's manifold"},
   };
   return all;
 }

@@ -214,7 +214,9 @@ const families::Family& family_named(const std::string& name) {
     if (family->kind() == families::Kind::polytopes) return *family;
     throw InputError("--sweep", 0,
                      fmt::format("expected a family of polytopes, found {}, whose {} are not", kernels::shown(name),
-                                 family->kind() == families::Kind::shapes ? "shapes" : "unions"));
+                                 family->kind() == families::Kind::shapes   ? "shapes"
+                                 : family->kind() == families::Kind::unions ? "unions"
+                                                                            : "bodies of the plane"));
   }
   std::vector<std::string_view> of_polytopes;
   for (const families::Family& family : families::families()) of_polytopes.push_back(family.name);

@@ -278,6 +278,8 @@ Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, cons
 struct Truth {
   GivenPoints a, b;  ///< the points that it saw
   Depth depth;       ///< the exact answer
+  /// 2: these are what stands in space for bodies of the plane, whose sizes have no z
+  unsigned dimension = 3;
 };
 
 /// Returns the points rounded to nearest, which is what an implementation of this format sees, in
@@ -302,6 +304,7 @@ struct ShapeTruth {
   /// What of their radii the implementation added itself, at most the whole. It is no excuse:
   /// tolerances and classes are relative to the bodies, and to a depth, without it.
   mpq_class added_a = 0, added_b = 0;
+  unsigned dimension = 3;  ///< as that of Truth
 };
 
 /// Returns the truth about two shapes, to judge several replies by. Throws as signed_depth does.
@@ -318,8 +321,9 @@ Judgement judge(const ShapeTruth& truth, const Reply& reply, const Conventions& 
 
 /// Two unions as the implementation saw them, and the exact answer.
 struct UnionTruth {
-  Pieces a, b;       ///< the pieces that it saw
-  UnionDepth depth;  ///< the exact answer, complete and with its bounds
+  Pieces a, b;             ///< the pieces that it saw
+  UnionDepth depth;        ///< the exact answer, complete and with its bounds
+  unsigned dimension = 3;  ///< as that of Truth
 };
 
 /// Returns the truth about two unions, to judge several replies by. Throws as union_depth does, and

@@ -110,6 +110,17 @@ class Kit(unittest.TestCase):
             for done in self.talk([{"type": "hello", "protocol": "fathom/subject/1"}], languages=["C++"]):
                 self.assertEqual(json.loads(done.stdout)["manifold"], {})
 
+    def test_plane(self):
+        """In the plane points have two coordinates, both ways, and edges are faces."""
+        triangle = {"vertices": [[14, 0], [1, 2.5], [-1, 0.1]], "faces": [[0, 1], [1, 2], [2, 0]]}
+        grown = {"vertices": [[20, 0]], "margin": 0.5}
+        with unittest.mock.patch.dict(os.environ, {"FATHOM_KIT_PLANE": "1"}):
+            for done in self.talk([{"type": "hello", "protocol": "fathom/subject/1"}]):
+                self.assertEqual(json.loads(done.stdout)["dimension"], 2)
+            for [apart, disc, other], _ in self.replies((triangle, triangle), (grown, grown), ({**triangle, "vertices": [[0, 0], [1, 0], [0, 1]]}, grown)):
+                self.assertEqual(apart["witness"], {"a": [1, 2.5], "b": [1, 2.5]})
+                self.assertEqual((disc["depth"], other["depth"]), (1 / 3, 1 / 3 + 3))
+
     def test_numbers_are_kept_and_timed(self):
         for [(reply)], _ in self.replies((POINTS, POINTS)):
             self.assertGreater(reply.pop("microseconds"), 0)

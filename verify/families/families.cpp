@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "reference/files/piece_files.hpp"
+#include "verify/families/plane_pairs.hpp"
 #include "verify/families/polytope_pairs.hpp"
 #include "verify/families/shape_pairs.hpp"
 
@@ -356,6 +357,28 @@ constexpr Family table[] = {
     {"slots_narrow", "the same with slots that are narrower by 2^-16: no plate fits", 3, slots_narrow},
     {"rings_linked", "two rings of wedges, one through the other: at times with room", 12, rings_linked},
     {"ring_and_rod", "a square rod through a ring: at times with room", 12, ring_and_rod},
+    // ==== bodies of the plane ====
+    // Random bodies.
+    {"plane_random", "hulls of points in a disc; B shifted by up to 1 along each axis", corners, plane_random},
+    {"plane_regular", "regular polygons, turned at random", corners, plane_regular},
+    {"plane_boxes", "rectangles with corners in {0..4}^2: parallel edges, ties, touching; the size is ignored", 4,
+     plane_boxes},
+    {"plane_thin", "polygons up to a thousand times longer than wide", corners, plane_thin},
+    {"plane_far", "random polygons, 10^3 to 9 10^6 away from the origin along each axis", corners, plane_far},
+    {"plane_rounded", "circles, capsules and polygons with margins", corners, plane_rounded},
+    {"plane_flat", "points and segments, against each other and polygons", corners, plane_flat},
+    // Ties.
+    {"plane_ties", "a regular polygon against itself, or a smaller copy about its centre: many optima", corners,
+     plane_ties},
+    {"plane_near_ties", "a regular polygon against itself, moved by about 2^-k", corners, plane_near_ties},
+    {"plane_identical", "a random polygon against itself: its width", corners, plane_identical},
+    {"plane_nested", "B is a smaller copy of A inside A", corners, plane_nested},
+    // From the contact.
+    {"plane_touching", "a vertex or an edge of A touches one of B", 6, plane_touching},
+    {"plane_nearly_touching", "the same, apart or overlapping by about 2^-k", 6, plane_nearly_touching},
+    {"plane_parallel_edges", "an edge of A in an edge of B, exactly parallel, overlapping by about 2^-k", 6,
+     plane_parallel_edges},
+    {"plane_tilted_edges", "the same, B's edge tilted by a slope of 2^-k", 6, plane_tilted_edges},
 };
 
 constexpr std::span<const Family> of_kind(Kind kind) {
@@ -363,7 +386,8 @@ constexpr std::span<const Family> of_kind(Kind kind) {
   const auto end = std::find_if(begin, std::end(table), [kind](const Family& family) { return family.kind() != kind; });
   return {begin, end};
 }
-static_assert(of_kind(Kind::polytopes).size() + of_kind(Kind::shapes).size() + of_kind(Kind::unions).size() ==
+static_assert(of_kind(Kind::polytopes).size() + of_kind(Kind::shapes).size() + of_kind(Kind::unions).size() +
+                  of_kind(Kind::plane).size() ==
               std::size(table));
 
 /// FNV-1a; gives every family its own stream of random numbers.
@@ -389,6 +413,10 @@ Case Family::make(std::uint64_t seed, unsigned size) const {
   if (kind() == Kind::polytopes) {
     Bodies bodies = std::get<0>(build)(random, std::max(1u, size));
     return {id, std::move(bodies.a), std::move(bodies.b)};
+  }
+  if (kind() == Kind::plane) {
+    PlanePair pair = std::get<3>(build)(random, size);
+    return {id, std::move(pair.a), std::move(pair.b)};
   }
   UnionPair unions = std::get<2>(build)(random, size);
   return {id, files::union_of(std::move(unions.a)), files::union_of(std::move(unions.b))};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All families by name, of polytopes, of shapes and of unions of convex pieces: a case is given by
-// its family, its size and its seed, and is the same on every machine. And the catalogues: cases
-// that have names of their own.
+// All families by name, of polytopes, of shapes, of unions of convex pieces and of bodies of the
+// plane: a case is given by its family, its size and its seed, and is the same on every machine.
+// And the catalogues: cases that have names of their own.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,7 @@
 #include "fathom/depth.hpp"
 #include "fathom/files.hpp"
 #include "fathom/union.hpp"
+#include "verify/families/plane_pairs.hpp"
 #include "verify/families/shape_pairs.hpp"
 #include "verify/families/solids.hpp"
 #include "verify/families/union_pairs.hpp"
@@ -21,14 +22,16 @@
 namespace fathom::families {
 
 /// The kind of the bodies of a case.
-enum class Kind { polytopes, shapes, unions };
+enum class Kind { polytopes, shapes, unions, plane };
 
 struct Family {
   std::string_view name;         ///< letters, digits and underscores
   std::string_view description;  ///< one line
   unsigned usual_size;           ///< the default
   /// In the order of Kind.
-  std::variant<Bodies (*)(Random&, unsigned), NamedPair (*)(Random&, unsigned), UnionPair (*)(Random&, unsigned)> build;
+  std::variant<Bodies (*)(Random&, unsigned), NamedPair (*)(Random&, unsigned), UnionPair (*)(Random&, unsigned),
+               PlanePair (*)(Random&, unsigned)>
+      build;
 
   [[nodiscard]] constexpr Kind kind() const { return static_cast<Kind>(build.index()); }
 

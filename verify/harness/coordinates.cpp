@@ -97,13 +97,16 @@ std::optional<Motion> rounded(Motion motion, const NumberFormat& format) {
 
 bool representable(const mpq_class& value, const NumberFormat& format) { return rounded(value, format) == value; }
 
+std::vector<Point> core_of(const Body& body) { return files::points_of(*body.shape).value_or(std::vector<Point>()); }
+
 Case in_unit(Case pair, long exponent) {
   if (exponent == 0) return pair;
   if (pair.motion)
     for (Twist* twist : {&pair.motion->of_a, &pair.motion->of_b})
       for (const auto axis : axes) twist->v.*axis = scaled(twist->v.*axis, exponent);
   for (Body* body : {&pair.a, &pair.b}) {
-    if (body->pieces) {
+    if (body->pieces || (body->dimension == 2 && body->shape)) {
+      if (body->shape) body->shape->radius = scaled(body->shape->radius, exponent);
       for_each_hull(*body,
                     [&](std::vector<Point>& points) { points = scaled(GivenPoints(std::move(points)), exponent); });
       continue;

@@ -57,10 +57,19 @@ void for_each_slope(files::NamedBody& words, const std::function<void(mpq_class&
 /// Returns the number for the position of a named body along x, y or z: 0, 1 or 2.
 mpq_class& place_along(files::NamedBody& words, std::size_t axis);
 
+/// Returns the points of the core of a shape of the plane; none of a half-plane.
+std::vector<Point> core_of(const Body& body);
+
 /// Applies change(std::vector<Point>&) to the points of a body without words; to those of each
-/// piece of a union.
+/// piece of a union, and of the core of a shape of the plane.
 template <class Change>
 void for_each_hull(Body& body, Change change) {
+  if (body.shape && body.dimension == 2) {
+    std::vector<Point> core = core_of(body);
+    change(core);
+    body.shape->core = hull(core).core;
+    return;
+  }
   if (!body.pieces) return change(body.points.edit());
   Pieces pieces = *body.pieces;
   for (std::vector<Point>& piece : pieces) change(piece);
@@ -69,6 +78,10 @@ void for_each_hull(Body& body, Change change) {
 }
 template <class Look>
 void for_each_hull(const Body& body, Look look) {
+  if (body.shape && body.dimension == 2) {
+    const std::vector<Point> core = core_of(body);
+    return look(core);
+  }
   if (!body.pieces) return look(body.points.exact());
   for (const std::vector<Point>& piece : *body.pieces) look(piece);
 }

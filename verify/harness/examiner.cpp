@@ -58,7 +58,7 @@ double seconds_since(Clock::time_point begin) { return std::chrono::duration<dou
 
 mpq_class extent_of(const Body& body) {
   if (body.pieces) return judging::sizes_of(*body.pieces, *body.pieces).extent;
-  if (body.shape) return judging::sizes_of(*body.shape, *body.shape, judging::usual_bits).extent;
+  if (body.shape) return judging::sizes_of(*body.shape, *body.shape, judging::usual_bits, body.dimension).extent;
   return judging::sizes_of(body.points.exact(), body.points.exact()).extent;
 }
 
@@ -70,13 +70,8 @@ bool has_usual_size(const Body& body) {
 
 // Reports count separately the cases for which every engine is made. [docs/certify.md]
 
-/// Returns whether both bodies have a volume, exactly.
-bool is_solid(const Case& pair) {
-  const auto is_flat = [](const Body& body) {
-    return !body.pieces && fathom::is_flat(files::shape_of(body));
-  };  // pieces have interiors
-  return !is_flat(pair.a) && !is_flat(pair.b);
-}
+/// Returns whether both bodies have a volume, or in the plane an area, exactly.
+bool is_solid(const Case& pair) { return !is_flat_body(pair.a) && !is_flat_body(pair.b); }
 
 /// Returns whether the length exceeds the longest side of the bodies' bounding boxes.
 bool is_dwarfed_by(const mpq_class& length, const Case& pair) { return length > 0 && length > sizes_of(pair).extent; }
@@ -134,7 +129,7 @@ class Run {
     std::string why;
     const long exponent = exponent_to_fit(pair, plan_.fit);
     const NumberFormat format = in_unit(plan_.format, exponent);
-    const std::optional<Case> seen = as_seen(pair, format, plan_.shapes, &why);
+    const std::optional<Case> seen = as_seen(pair, format, plan_.shapes, &why, plan_.dimension);
     if (!seen) {
       outcome_of(pair, pair, "", [&] { return declined(pair, why); });
       return;
@@ -299,7 +294,7 @@ Outcome Examiner::examine(const Case& pair, long exponent) {
 
 std::optional<Case> Examiner::put(const Case& pair, long exponent, Outcome& otherwise) const {
   std::string why;
-  std::optional<Case> seen = as_seen(pair, in_unit(info_.format, exponent), info_.shapes, &why);
+  std::optional<Case> seen = as_seen(pair, in_unit(info_.format, exponent), info_.shapes, &why, info_.dimension);
   if (!seen) otherwise = declined(pair, why);
   else if (const std::string obstacle = obstacle_to(*seen, info_, exponent); !obstacle.empty())
     otherwise = declined(*seen, obstacle);
@@ -418,7 +413,7 @@ std::optional<Examiner::Fault> Examiner::understand(const std::string& line, con
   const std::string what = "wrote " + excerpt(line);
   std::optional<SubjectAnswer> answer;
   try {
-    answer = read_reply(line, info_.format);
+    answer = read_reply(line, info_.format, info_.dimension);
     demand_sent_as_vertices(seen, *answer);
   } catch (const ProtocolError& error) {
     const std::string reason = error.what();
@@ -476,7 +471,7 @@ Replay Replay::read(const std::string& given) {
 
 void Replay::take(std::string_view line, const std::string& path, std::size_t number) {
   try {
-    SubjectAnswer answer = read_reply(line, info_.format);
+    SubjectAnswer answer = read_reply(line, info_.format, info_.dimension);
     std::string id = answer.ticket;
     answers_[std::move(id)].push_back(std::move(answer));
   } catch (const ProtocolError& error) {
@@ -503,7 +498,7 @@ Outcome Replay::ask(const Case& seen, long exponent, std::optional<SubjectAnswer
 
 Outcome Replay::examine(const Case& pair, long exponent, const Judging& judging) const {
   std::string why;
-  const std::optional<Case> seen = as_seen(pair, in_unit(info_.format, exponent), info_.shapes, &why);
+  const std::optional<Case> seen = as_seen(pair, in_unit(info_.format, exponent), info_.shapes, &why, info_.dimension);
   if (!seen) return declined(pair, why);
   if (const std::string obstacle = obstacle_to(*seen, info_, exponent); !obstacle.empty())
     return declined(*seen, obstacle);

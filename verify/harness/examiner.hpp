@@ -177,6 +177,7 @@ struct RunPlan {
   NumberFormat format = {};
   std::optional<mpq_class> fit = {};  ///< the size that cases are brought to; see exponent_to_fit
   std::set<std::string> shapes = {};  ///< the shapes that the subject takes by name
+  unsigned dimension = 3;             ///< of the bodies that it takes
   Tolerance tolerance = {};
   std::optional<ContactLimits> manifold = {};  ///< declared by the subject
 

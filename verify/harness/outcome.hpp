@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fathom/files.hpp"
@@ -20,6 +21,8 @@ namespace fathom::harness {
 
 /// Stands in the place of a shape's name for a margin around any shape.
 inline constexpr const char* margin_word = "margin";
+/// The words for the shapes of the plane, beside the margin of polygons.
+inline constexpr std::string_view circle_word = "circle", capsule_word = "capsule";
 /// Stands in the place of a shape's name for bodies sent as vertices.
 inline constexpr const char* vertices_word = "vertices";
 /// Stands in the place of a shape's name for unions sent as lists of pieces.
@@ -28,6 +31,7 @@ inline constexpr const char* pieces_word = "pieces";
 /// The declarations of a subject in its hello.
 struct SubjectInfo {
   std::string name, version;  ///< "libccd-epa", "2.1"
+  unsigned dimension = 3;     ///< of the bodies that it takes: 2 or 3
   std::string library;        ///< that a snippet calls: "libccd", "fcl", "bullet", "ode"; may be empty
   NumberFormat format;        ///< of points and of answers, in the unit of the cases
   Conventions conventions;
@@ -68,7 +72,8 @@ struct Outcome {
   std::string variant;       ///< empty; or the symmetry that was applied to the case: "swap", "translate", "permute",
                              ///< "scale", "repeat"
   std::string digest;        ///< of the points as they were put: 16 hexadecimal digits
-  bool solid = false;        ///< whether both bodies have a volume
+  unsigned dimension = 3;    ///< of the bodies
+  bool solid = false;        ///< whether both bodies have a volume, or in the plane an area
   bool metre_sized = false;  ///< whether the longest side of each body's box is from 1/100 to 100
   bool dwarfed = false;      ///< whether `radii` exceeds their size
   Verdict verdict = Verdict::garbage;

@@ -23,6 +23,7 @@
 #include "reference/files/cases.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/polytope/polytope.hpp"
+#include "verify/harness/coordinates.hpp"
 #include "verify/judge/fields.hpp"
 
 namespace fathom::harness {
@@ -104,9 +105,15 @@ std::string repeated_field(const JsonValue& value) {
   return twice == names.end() ? "" : std::string(*twice);
 }
 
+Body piece_of(const Body& body, const std::vector<Point>& piece) {
+  Body result{piece};
+  result.dimension = body.dimension;
+  return result;
+}
+
 void add_body(text::JsonStream& out, const Body& body, Precision precision, bool with_faces) {
-  if (body.pieces && body.pieces->size() == 1)
-    return add_body(out, Body{body.pieces->front()}, precision, with_faces);  // a union of one piece is a polytope
+  if (body.pieces && body.pieces->size() == 1)  // a union of one piece is a polytope
+    return add_body(out, piece_of(body, body.pieces->front()), precision, with_faces);
   if (body.words && !body.pieces) {
     out.value(files::body_json(*body.words, files::Defaults::written).text());
     return;
@@ -114,18 +121,23 @@ void add_body(text::JsonStream& out, const Body& body, Precision precision, bool
   out.object([&] {
     if (body.pieces) {
       out.key("pieces");
-      out.array_of(*body.pieces,
-                   [&](const std::vector<Point>& piece) { add_body(out, Body{piece}, precision, with_faces); });
+      out.array_of(*body.pieces, [&](const std::vector<Point>& piece) {
+        add_body(out, piece_of(body, piece), precision, with_faces);
+      });
       return;
     }
-    const std::optional<GivenPoints> rounded = seen(body.points, precision);
+    const bool in_plane = body.dimension == 2;
+    const GivenPoints points = in_plane && body.shape ? GivenPoints(core_of(body)) : body.points;
+    const std::optional<GivenPoints> rounded = seen(points, precision);
     if (!rounded) throw std::invalid_argument("a coordinate overflows the subject's precision");
     out.key("vertices");
     // Whether a subject reads a number by strtod, by strtof, or by strtod with subsequent rounding,
     // it gets the same number.
-    out.array_of(rounded->binary64(),
-                 [&](const std::array<double, 3>& p) { out.value(fmt::format("[{},{},{}]", p[0], p[1], p[2])); });
-    const Faces faces = with_faces ? faces_of(body.points) : Faces();
+    out.array_of(rounded->binary64(), [&](const std::array<double, 3>& p) {
+      out.value(in_plane ? fmt::format("[{},{}]", p[0], p[1]) : fmt::format("[{},{},{}]", p[0], p[1], p[2]));
+    });
+    if (in_plane && body.shape) out.key("margin").value(fmt::format("{}", round_binary64(body.shape->radius)));
+    const Faces faces = !with_faces ? Faces() : in_plane ? edges_in_plane(points.exact()) : faces_of(points.exact());
     if (!faces.empty())
       out.key("faces"), out.array_of(faces, [&](const std::vector<std::uint32_t>& face) { out.array_of(face); });
   });
@@ -194,25 +206,31 @@ double number_of(const JsonValue& value, const char* name, Precision precision) 
   return *number;
 }
 
-/// Returns the triple in a value; `name` is that of its field, for messages.
-Triple triple_of(const JsonValue& value, const char* name, Precision precision) {
-  Triple triple;
-  if (value.items().size() != triple.size() || !value.is_array())
-    refuse(fmt::format("three numbers for \"{}\"", name), shown_json(value));
-  for (std::size_t i = 0; i < triple.size(); ++i) triple[i] = number_of(value.items()[i], name, precision);
+/// The numbers of replies, and how many coordinates a point has.
+struct Coordinates {
+  Precision precision;
+  unsigned dimension;
+};
+
+/// Returns the triple in a value, in the plane with z = 0; `name` is that of its field, for messages.
+Triple triple_of(const JsonValue& value, const char* name, Coordinates of) {
+  Triple triple{};
+  if (value.items().size() != of.dimension || !value.is_array())
+    refuse(fmt::format("{} numbers for \"{}\"", of.dimension == 2 ? "two" : "three", name), shown_json(value));
+  for (std::size_t i = 0; i < of.dimension; ++i) triple[i] = number_of(value.items()[i], name, of.precision);
   return triple;
 }
 
 /// Returns the vertices of a hull that the subject used, if the reply has it.
 std::optional<std::vector<Triple>> hull_in(const JsonValue& object, const char* name, const char* called,
-                                           Precision precision) {
+                                           Coordinates of) {
   const JsonValue* list = object.find(name);
   if (!list) return std::nullopt;
   if (!list->is_array() || list->items().empty())
     refuse(fmt::format("a list of vertices for \"{}\"", called), shown_json(*list));
   std::vector<Triple> vertices;
   for (const JsonValue& vertex : list->items()) {
-    vertices.push_back(triple_of(vertex, called, precision));
+    vertices.push_back(triple_of(vertex, called, of));
     if (!std::ranges::all_of(vertices.back(), [](double x) { return std::isfinite(x); }))
       refuse(fmt::format("finite numbers for \"{}\"", called), shown_json(vertex));
   }
@@ -220,8 +238,7 @@ std::optional<std::vector<Triple>> hull_in(const JsonValue& object, const char* 
 }
 
 /// Reads the optional fields beside an answer.
-void read_rest(const JsonValue& object, const NumberFormat& format, SubjectAnswer& answer) {
-  const Precision points = format.points;
+void read_rest(const JsonValue& object, Coordinates points, SubjectAnswer& answer) {
   if (const JsonValue* hull = object.find("hull")) {
     if (!hull->is_object()) refuse("an object for \"hull\"", shown_json(*hull));
     answer.hull_a = hull_in(*hull, "a", "hull.a", points);
@@ -235,36 +252,33 @@ void read_rest(const JsonValue& object, const NumberFormat& format, SubjectAnswe
 }
 
 /// Returns three numbers; nullopt if the field is missing.
-std::optional<Triple> triple_in(const JsonValue& object, const char* name, const char* called, Precision precision) {
+std::optional<Triple> triple_in(const JsonValue& object, const char* name, const char* called, Coordinates of) {
   const JsonValue* value = object.find(name);
-  return value ? std::optional(triple_of(*value, called, precision)) : std::nullopt;
+  return value ? std::optional(triple_of(*value, called, of)) : std::nullopt;
 }
 
-std::vector<ContactPoint> contacts_in(const JsonValue& list, Precision precision) {
+std::vector<ContactPoint> contacts_in(const JsonValue& list, Coordinates of) {
   if (!list.is_array() || list.items().empty()) refuse("a list of contacts for \"contacts\"", shown_json(list));
   std::vector<ContactPoint> contacts;
   for (const JsonValue& each : list.items()) {
     const std::optional<Triple> position =
-        each.is_object() ? triple_in(each, "position", "position", precision) : std::nullopt;
+        each.is_object() ? triple_in(each, "position", "position", of) : std::nullopt;
     if (!position) refuse("an object with a \"position\" in \"contacts\"", shown_json(each));
     contacts.push_back({*position, {}});
-    if (const JsonValue* depth = each.find("depth")) contacts.back().depth = number_of(*depth, "depth", precision);
+    if (const JsonValue* depth = each.find("depth")) contacts.back().depth = number_of(*depth, "depth", of.precision);
   }
   return contacts;
 }
 
 // These functions read an optional field `name` of a reply's object; `called` names it in messages.
-void read(const JsonValue& object, const char* name, const char* called, Precision precision,
-          std::optional<double>& value) {
-  if (const JsonValue* found = object.find(name)) value = number_of(*found, called, precision);
+void read(const JsonValue& object, const char* name, const char* called, Coordinates of, std::optional<double>& value) {
+  if (const JsonValue* found = object.find(name)) value = number_of(*found, called, of.precision);
 }
-void read(const JsonValue& object, const char* name, const char* called, Precision precision,
-          std::optional<Triple>& value) {
-  value = triple_in(object, name, called, precision);
+void read(const JsonValue& object, const char* name, const char* called, Coordinates of, std::optional<Triple>& value) {
+  value = triple_in(object, name, called, of);
 }
-void read(const JsonValue& object, const char* name, const char*, Precision precision,
-          std::vector<ContactPoint>& contacts) {
-  if (const JsonValue* found = object.find(name)) contacts = contacts_in(*found, precision);
+void read(const JsonValue& object, const char* name, const char*, Coordinates of, std::vector<ContactPoint>& contacts) {
+  if (const JsonValue* found = object.find(name)) contacts = contacts_in(*found, of);
 }
 bool flag_in(const JsonValue& object, const char* name, const char* of, std::optional<bool> otherwise = std::nullopt) {
   const JsonValue* value = object.find(name);
@@ -274,11 +288,11 @@ bool flag_in(const JsonValue& object, const char* name, const char* of, std::opt
   return value->boolean();
 }
 
-void read(const JsonValue& object, const char* name, const char*, Precision, bool& value) {
+void read(const JsonValue& object, const char* name, const char*, Coordinates, bool& value) {
   value = flag_in(object, name, "the reply");
 }
 
-Reply read_answer(const JsonValue& object, Precision precision) {
+Reply read_answer(const JsonValue& object, Coordinates numbers) {
   Reply reply;
   text::for_each_field(judging::reply_fields, [&](const auto& row) {
     const std::string path(row.name);
@@ -289,7 +303,7 @@ Reply read_answer(const JsonValue& object, Precision precision) {
       of = object.find(whole);
       if (of && !of->is_object()) refuse(fmt::format("an object for \"{}\"", whole), shown_json(*of));
     }
-    if (of) read(*of, path.c_str() + (dot == path.npos ? 0 : dot + 1), path.c_str(), precision, reply.*row.member);
+    if (of) read(*of, path.c_str() + (dot == path.npos ? 0 : dot + 1), path.c_str(), numbers, reply.*row.member);
   });
   return reply;
 }
@@ -369,16 +383,23 @@ std::set<std::string> promises_in(const JsonValue& list) {
   return promises;
 }
 
-std::set<std::string> shapes_in(const JsonValue& list) {
+/// The words for what a subject takes beside polytopes.
+std::vector<std::string> words_for_shapes(unsigned dimension) {
+  if (dimension == 2) return {std::string(circle_word), std::string(capsule_word), margin_word, pieces_word};
+  std::vector<std::string> words;
+  for (const files::ShapeName& shape : files::shape_names()) words.emplace_back(shape.name);
+  words.insert(words.end(), {margin_word, pieces_word});
+  return words;
+}
+
+std::set<std::string> shapes_in(const JsonValue& list, unsigned dimension) {
   std::set<std::string> shapes;
+  const std::vector<std::string> words = words_for_shapes(dimension);
   if (!list.is_array()) refuse("a list for \"shapes\" in its capabilities", shown_json(list));
   for (const JsonValue& word : list.items()) {
     const std::string name = word.is_string() ? word.text() : "";
-    const files::NamedShape named = files::named_shape(name);
-    if (name != margin_word && name != pieces_word && (!named.shape || named.rounded))
-      refuse(fmt::format("{}, {}, {} in \"shapes\" in its capabilities", files::list_of_shapes(), margin_word,
-                         pieces_word),
-             shown_json(word));
+    if (std::ranges::find(words, name) == words.end())
+      refuse(fmt::format("{} in \"shapes\" in its capabilities", fmt::join(words, ", ")), shown_json(word));
     shapes.insert(name);
   }
   return shapes;
@@ -387,7 +408,13 @@ std::set<std::string> shapes_in(const JsonValue& list) {
 void read_capabilities(const JsonValue& capabilities, SubjectInfo& info) {
   info.wants_faces = flag_in(capabilities, "faces", "its capabilities", false);
   info.wants_twist = flag_in(capabilities, "twist", "its capabilities", false);
-  if (const JsonValue* shapes = capabilities.find("shapes")) info.shapes = shapes_in(*shapes);
+  if (const JsonValue* shapes = capabilities.find("shapes")) info.shapes = shapes_in(*shapes, info.dimension);
+}
+
+unsigned dimension_in(const JsonValue& said) {
+  for (const unsigned dimension : {2U, 3U})
+    if (said.is_number() && read_integer(said.text()) == std::to_string(dimension)) return dimension;
+  refuse("2 or 3 for \"dimension\" in the hello", shown_json(said));
 }
 
 /// Reads the number format: one type for both points and answers, or one for each.
@@ -477,6 +504,18 @@ Faces faces_of(const std::vector<Point>& points) {
   return faces;
 }
 
+Faces edges_in_plane(const std::vector<Point>& points) {
+  const polytope::Polytope hull = polytope::hull_of(points);
+  if (hull.rank < 2) return {};
+  const auto facet = std::ranges::find_if(hull.facets, [](const polytope::Facet& each) { return each.normal.z > 0; });
+  Faces edges;
+  for (std::uint32_t i = facet->begin; i < facet->end; ++i) {
+    const std::uint32_t next = i + 1 < facet->end ? i + 1 : facet->begin;
+    edges.push_back({hull.input_ids[hull.corners[i]], hull.input_ids[hull.corners[next]]});
+  }
+  return edges;
+}
+
 std::string hello_message() { return text::Json{{"type", "hello"}, {"protocol", protocol_name}}.text(); }
 
 std::string run_message(const std::string& ticket, const Case& seen, Precision precision, bool with_faces) {
@@ -497,16 +536,16 @@ std::string body_message(const Body& body, Precision precision, bool with_faces)
 
 std::string stop_message() { return text::Json{{"type", "stop"}}.text(); }
 
-SubjectAnswer read_reply(std::string_view line, const NumberFormat& format) {
+SubjectAnswer read_reply(std::string_view line, const NumberFormat& format, unsigned dimension) {
   const JsonValue object = object_on(line);
   if (text_in(object, "type", "the reply") != "reply") refuse("a message of type \"reply\"", kernels::shown(line));
   SubjectAnswer answer{id_in(object), Failed()};
   if (object.find("unsupported")) answer.said = Unsupported{reason_in(object, "unsupported")};
   else if (object.find("failed")) answer.said = Failed{reason_in(object, "failed")};
   else {
-    answer.said = read_answer(object, format.answers);
+    answer.said = read_answer(object, {format.answers, dimension});
     answer.remark = misspelt(object);
-    read_rest(object, format, answer);
+    read_rest(object, {format.points, dimension}, answer);
   }
   return answer;
 }
@@ -522,9 +561,12 @@ SubjectInfo read_hello(std::string_view line) {
   info.version = text_in(hello, "version", of);
   if (info.name.empty()) refuse("a name in the hello", "an empty one");
   if (hello.find("library")) info.library = text_in(hello, "library", of);
+  if (const JsonValue* dimension = hello.find("dimension")) info.dimension = dimension_in(*dimension);
   info.format = format_in(hello);
   info.conventions = conventions_in(hello);
   if (hello.find("capabilities")) read_capabilities(object_in(hello, "capabilities", of), info);
+  if (info.dimension == 2 && info.wants_twist)
+    refuse("no \"twist\" among the capabilities of a subject of the plane", "one");
   if (hello.find("settings"))
     for (const auto& [key, value] : object_in(hello, "settings", of).fields())
       info.settings[std::string(key)] =

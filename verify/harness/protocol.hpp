@@ -29,11 +29,15 @@ using Faces = std::vector<std::vector<std::uint32_t>>;
 /// Returns the facets of the points' convex hull: coplanar ones merged, corners counter-clockwise
 /// seen from outside. Empty if the hull is flat.
 Faces faces_of(const std::vector<Point>& points);
+/// Returns the edges of the convex hull in the plane z = 0, each from corner to corner and one
+/// behind the other, counter-clockwise; empty if the hull has no area.
+Faces edges_in_plane(const std::vector<Point>& points);
 
 /// These functions return the messages that fathom sends, without line ends. They write a body with
 /// a description by that, a union by its pieces, any other by its vertices; and the motion if the
 /// case has one: for a subject that does not want it, remove it first. Numbers are the shortest
 /// decimals that read back as the same number of the precision; `seen` must hold such numbers only.
+/// A body of the plane is written by its margin and the vertices of its core, two numbers each.
 std::string hello_message();
 std::string run_message(const std::string& ticket, const Case& seen, Precision precision, bool with_faces);
 std::string stop_message();
@@ -64,8 +68,9 @@ struct SubjectAnswer {
 /// Reads a reply. Rounds numbers to the precision of answers, those of hulls to that of points.
 /// Accepts nan, inf and C99 hex floats as bare words and as strings, in any of their usual
 /// spellings. Known fields must have their type, whatever `overlap` says; null is of no type. Skips
-/// unknown fields, with a remark if they look misspelt. Throws ProtocolError.
-SubjectAnswer read_reply(std::string_view line, const NumberFormat& format);
+/// unknown fields, with a remark if they look misspelt. With dimension 2 points and directions have
+/// two coordinates, to which z = 0 is added here. Throws ProtocolError.
+SubjectAnswer read_reply(std::string_view line, const NumberFormat& format, unsigned dimension = 3);
 
 /// Returns whether the line is a hello, valid or not: the first line of a replay may be one.
 bool is_hello(std::string_view line);

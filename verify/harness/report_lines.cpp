@@ -34,6 +34,7 @@ Json json_of(const Point& p) { return Json::array({json_of(p.x), json_of(p.y), j
 Json json_of(const Vector& v) {
   return Json::array({json_of(mpq_class(v.x)), json_of(mpq_class(v.y)), json_of(mpq_class(v.z))});
 }
+Json json_of(std::uint32_t value) { return value; }
 Json json_of(double value) {
   if (std::isfinite(value)) return value;
   return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
@@ -178,10 +179,17 @@ void take(const Read& json, Verdict& value) {
   if (!verdict) throw Unreadable();
   value = *verdict;
 }
+/// Returns the number of coordinates; those of the plane have no z.
+std::size_t coordinates_in(const Read& json) {
+  if (json.items().size() != 2 && json.items().size() != 3) throw Unreadable();
+  return json.items().size();
+}
+
 void take(const Read& json, Point& p) {
+  const std::size_t count = coordinates_in(json);
   take(json.at(0), p.x);
   take(json.at(1), p.y);
-  take(json.at(2), p.z);
+  if (count == 3) take(json.at(2), p.z);
 }
 void take(const Read& json, Vector& v) {
   Point p;
@@ -202,7 +210,8 @@ void take(const Read& json, std::optional<Status>& value) {
   if (!value && word != name(value)) throw Unreadable();
 }
 void take(const Read& json, Triple& value) {
-  for (std::size_t i = 0; i < value.size(); ++i) take(json.at(i), value[i]);
+  value = {};
+  for (std::size_t i = 0; i < coordinates_in(json); ++i) take(json.at(i), value[i]);
 }
 void take(const Read& json, std::array<std::uint32_t, 2>& pair) {
   take(json.at(0), pair[0]);
@@ -268,6 +277,22 @@ std::optional<Struct> read_line(std::string_view text, const char* type) try {
   return std::nullopt;
 }
 
+/// Returns a reply, or faults of contacts, with two coordinates for each point and direction: all
+/// arrays of three numbers, which may be texts, are such.
+Json without_z(const Read& json) {
+  if (json.is_object()) {
+    Json result = Json::object();
+    for (const auto& [key, value] : json.fields()) result[key] = without_z(*value);
+    return result;
+  }
+  if (!json.is_array()) return json.written();
+  const auto is_number = [](const Read& item) { return item.is_number() || item.is_string(); };
+  const bool is_point = json.items().size() == 3 && std::ranges::all_of(json.items(), is_number);
+  Json result = Json::array();
+  for (std::size_t i = 0; i < json.items().size() - (is_point ? 1 : 0); ++i) result.push_back(without_z(json.at(i)));
+  return result;
+}
+
 /// Returns the fields of a header that must be equal in a run that continues the report; empty if
 /// the header is no object.
 std::map<std::string, std::string> lasting(std::string_view header) {
@@ -289,10 +314,18 @@ bool begins_line(std::string_view text, const char* type) {
 
 // Outcomes hold replies in the subject's unit; lines have them in that of the case.
 std::string outcome_line(const Outcome& outcome) {
-  if (!outcome.reply || outcome.fit == 0) return line("case", outcome);
-  Outcome written = outcome;
-  written.reply = in_unit(*outcome.reply, -outcome.fit);
-  return line("case", written);
+  const auto written = [&outcome](const std::string& text) {
+    if (outcome.dimension == 3) return text;
+    Json result = Json::object();
+    const Read json = text::parsed_json(text);
+    for (const auto& [key, value] : json.fields())
+      result[key] = key == "reply" || key == "contact_faults" ? without_z(*value) : value->written();
+    return result.text();
+  };
+  if (!outcome.reply || outcome.fit == 0) return written(line("case", outcome));
+  Outcome scaled_back = outcome;
+  scaled_back.reply = in_unit(*outcome.reply, -outcome.fit);
+  return written(line("case", scaled_back));
 }
 
 std::optional<Outcome> read_outcome(std::string_view line) {

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
+#include "reference/answer/plane.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/shapes/core.hpp"
@@ -38,12 +39,16 @@ namespace {
 Body grown(const Body& body, const mpq_class& radius) {
   if (radius == 0) return body;
   Body result;
+  result.dimension = body.dimension;
   result.shape = with_margin(files::shape_of(body), radius);
   return result;
 }
 
 Body used(const Body& body, const std::optional<std::vector<Triple>>& hull, long exponent) {
-  return hull ? Body{scaled(GivenPoints(*hull), -exponent)} : body;
+  if (!hull) return body;
+  Body result{scaled(GivenPoints(*hull), -exponent)};
+  result.dimension = body.dimension;
+  return result;
 }
 
 mpq_class squared_way(const Body& from, const Body& to) {
@@ -55,6 +60,21 @@ mpq_class squared_way(const Body& from, const Body& to) {
     if (!there.contains(p)) result = std::max(result, judging::squared_distance(p, to.points.exact()));
   return result;
 }
+
+}  // namespace
+
+bool is_flat_body(const Body& body) {
+  if (body.pieces) return false;  // pieces have interiors
+  return body.dimension == 2 ? answer::is_flat_in_plane(body) : is_flat(files::shape_of(body));
+}
+
+bool is_flat_piece(const Body& body, std::size_t piece) {
+  Body alone{pieces_of(body)[piece]};
+  alone.dimension = body.dimension;
+  return is_flat_body(alone);
+}
+
+namespace {
 
 class Fnv1a {
  public:
@@ -81,17 +101,21 @@ struct SubjectView {
   [[nodiscard]] std::optional<Body> see_pieces(const Body& body, const char* name) const {
     Pieces pieces = pieces_of(body);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      const std::optional<Body> rounded = see(Body{GivenPoints(std::move(pieces[i]))});
+      std::optional<Body> rounded = see(Body{GivenPoints(std::move(pieces[i]))});
       if (!rounded) return std::nullopt;
       pieces[i] = rounded->points.exact();
-      if (is_flat(hull(pieces[i])))
+      rounded->dimension = body.dimension;
+      if (is_flat_body(*rounded))
         return nothing(fmt::format("piece {} of {} has no interior in {}, the precision of the subject", i, name,
                                    fathom::name(format.points)));
     }
-    return Body{.points = {}, .pieces = std::make_shared<const Pieces>(std::move(pieces))};
+    Body result{.points = {}, .pieces = std::make_shared<const Pieces>(std::move(pieces))};
+    result.dimension = body.dimension;
+    return result;
   }
 
   [[nodiscard]] std::optional<Body> see(const Body& body) const {
+    if (body.shape && body.dimension == 2) return see_rounded(body);
     if (body.words) {
       const std::string word = lacking(*body.words);
       if (word.empty()) return see(*body.words);
@@ -101,10 +125,30 @@ struct SubjectView {
     std::optional<GivenPoints> points = seen(body.points, format);
     if (!points)
       return nothing(fmt::format("a coordinate overflows {}, the precision of the subject", name(format.points)));
-    return Body{*std::move(points)};
+    Body result{*std::move(points)};
+    result.dimension = body.dimension;
+    return result;
   }
 
  private:
+  /// Of a circle, a capsule, or a polygon with a margin.
+  [[nodiscard]] std::optional<Body> see_rounded(const Body& body) const {
+    const std::vector<Point> core = core_of(body);
+    if (core.empty()) return nothing("half-planes are not put to subjects");
+    const std::string_view word = core.size() == 1 ? circle_word : core.size() == 2 ? capsule_word : margin_word;
+    if (!shapes.contains(std::string(word)))
+      return nothing(fmt::format("the subject does not declare \"{}\" among its shapes", word));
+    const std::optional<GivenPoints> points = seen(GivenPoints(core), format);
+    const std::optional<mpq_class> radius = harness::rounded(body.shape->radius, format);
+    if (!points || !radius || *radius == 0)
+      return nothing(fmt::format("{} is beyond {}, the precision of the subject",
+                                 points ? "the radius" : "a coordinate", name(format.points)));
+    Body result;
+    result.dimension = 2;
+    result.shape = with_margin(hull(points->exact()), *radius);
+    return result;
+  }
+
   [[nodiscard]] std::optional<Body> nothing(std::string reason) const {
     why = std::move(reason);
     return std::nullopt;
@@ -192,7 +236,8 @@ Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class
   };
   Judgement judgement = judged(*points, faults);
   for (const Solver& solver : judging.second) {
-    const Truth again{points->a, points->b, solver.depth(seen, &stopping)};
+    const Case by_points{seen.id, Body{points->a}, Body{points->b}, seen.motion};  // in the plane what stands for it
+    const Truth again{points->a, points->b, solver.depth(by_points, &stopping), points->dimension};
     const auto refuse = [&](const std::string& where) {
       throw Disagreement(seen, solver,
                          fmt::format("{} and {} differ: {}", name(Method::automatic), solver.name, where));
@@ -360,9 +405,14 @@ mpq_class squared_way(const Case& from, const Case& to, const SubjectAnswer& ans
 }
 
 std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const std::set<std::string>& shapes,
-                            std::string* why) {
+                            std::string* why, std::optional<unsigned> dimension) {
   std::string reason;
   const SubjectView view{format, shapes, why ? *why : reason};
+  if (dimension && (pair.a.dimension != *dimension || pair.b.dimension != *dimension)) {
+    view.why = *dimension == 2 ? "the bodies are of space, and the subject takes those of the plane alone"
+                               : "the bodies are of the plane, and the subject takes those of space alone";
+    return std::nullopt;
+  }
   const bool of_unions = files::has_union(pair);
   std::optional<Body> a = of_unions ? view.see_pieces(pair.a, "A") : view.see(pair.a);
   if (!a) return std::nullopt;
@@ -383,11 +433,15 @@ std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const 
 std::string digest_of(const Case& pair) {
   Fnv1a hash;
   for (const Body* body : {&pair.a, &pair.b}) {
+    const bool in_plane = body->dimension == 2;
+    if (in_plane) hash.take("plane\n");
     if (body->words) hash.take(files::body_json(*body->words, files::Defaults::written).text());
     else
       for_each_hull(*body, [&](const std::vector<Point>& points) {
         if (body->pieces) hash.take("piece\n");
-        for (const Point& p : points) hash.take(exact_text(p.x) + ' ' + exact_text(p.y) + ' ' + exact_text(p.z) + '\n');
+        if (in_plane && body->shape) hash.take("radius " + exact_text(body->shape->radius) + '\n');
+        for (const Point& p : points)
+          hash.take(exact_text(p.x) + ' ' + exact_text(p.y) + (in_plane ? "" : ' ' + exact_text(p.z)) + '\n');
       });
     hash.take("\n");
   }
@@ -396,7 +450,7 @@ std::string digest_of(const Case& pair) {
 }
 
 long exponent_to_fit(const Case& pair, const std::optional<mpq_class>& size) {
-  const auto has_no_words = [](const Body& body) { return body.shape && !body.words; };
+  const auto has_no_words = [](const Body& body) { return body.shape && !body.words && body.dimension == 3; };
   if (!size || has_no_words(pair.a) || has_no_words(pair.b)) return 0;
   const mpq_class extent = sizes_of(pair).extent;
   if (extent == 0) return 0;
@@ -408,12 +462,13 @@ long exponent_to_fit(const Case& pair, const std::optional<mpq_class>& size) {
 judging::Sizes sizes_of(const Case& pair) {
   if (files::has_union(pair)) return judging::sizes_of(pieces_of(pair.a), pieces_of(pair.b));
   if (!pair.a.shape && !pair.b.shape) return judging::sizes_of(pair.a.points, pair.b.points);
-  return judging::sizes_of(files::shape_of(pair.a), files::shape_of(pair.b), judging::usual_bits);
+  return judging::sizes_of(files::shape_of(pair.a), files::shape_of(pair.b), judging::usual_bits, pair.a.dimension);
 }
 
 Outcome outcome_for(const Case& seen, long exponent) {
   Outcome outcome;
   outcome.id = seen.id;
+  outcome.dimension = seen.a.dimension;
   outcome.fit = exponent;
   outcome.digest = digest_of(seen);
   return outcome;
@@ -497,7 +552,8 @@ Outcome examine_pairs(const Case& seen, long exponent, const SubjectInfo& info, 
   std::string declined_why;
   for (std::uint32_t i = 0; i < a.size(); ++i) {
     for (std::uint32_t j = 0; j < b.size(); ++j) {
-      const Case pair{pair_id(seen.id, i, j), Body{a[i]}, Body{b[j]}, seen.motion};
+      Case pair{pair_id(seen.id, i, j), Body{a[i]}, Body{b[j]}, seen.motion};
+      pair.a.dimension = pair.b.dimension = seen.a.dimension;
       std::optional<SubjectAnswer> answer;
       const Outcome asked = ask(pair, answer);
       outcome.seconds += asked.seconds;

@@ -27,13 +27,20 @@ namespace fathom::harness {
 /// rounding leaves no body, a body is no polytope and its name is not in `shapes`, or both are
 /// half-spaces. Applying `as_seen` twice changes nothing. If a body is a union, both are returned
 /// as pieces, without descriptions; then nullopt is returned too if rounding leaves a piece without
-/// interior.
+/// interior. Rounds the radius and the core of a body of the plane. `dimension`: of the
+/// bodies that the subject takes, if that matters; then nullopt is returned for others.
 std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const std::set<std::string>& shapes = {},
-                            std::string* why = nullptr);
+                            std::string* why = nullptr, std::optional<unsigned> dimension = std::nullopt);
 
 /// Returns the k for which the extent of the bodies times 2^k is less than `size`, and at least
 /// half of it; 0 without a size, and for a point on a point. The size is above 0.
 long exponent_to_fit(const Case& pair, const std::optional<mpq_class>& size);
+
+/// Returns whether the body has no interior, exactly: in the plane, no area. A union counts as one
+/// that has.
+bool is_flat_body(const Body& body);
+/// Returns the same of a piece of a union.
+bool is_flat_piece(const Body& body, std::size_t piece);
 
 /// Returns the sizes of the bodies, those of shapes rounded up.
 judging::Sizes sizes_of(const Case& pair);

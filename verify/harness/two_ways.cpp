@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "fathom/answer.hpp"
 #include "fathom/certificate.hpp"
 #include "fathom/judge.hpp"
 #include "fathom/monitor.hpp"
@@ -241,7 +242,25 @@ std::string accepted_certificate(const std::string& id, const UnionTruth& truth,
   return text;
 }
 
+namespace {
+
+std::string accepted_in_plane(const Case& pair, Monitor* monitor) {
+  Question question;
+  question.options.monitor = monitor;
+  const Answer answer = exact_answer(pair.a, pair.b, question);
+  std::string text = certificate_text(pair.a, pair.b, answer, pair.id, monitor);
+  const fathom_check::Verdict verdict = acceptance(pair.id, text);
+  const Depth* const depth = std::get_if<Depth>(&answer.found);
+  const bool same = !depth || depth->distance() || verdict.depth_squared == exact_text(depth->squared());
+  if (!verdict.plane || !same || verdict.status != name(answer.status()))
+    throw std::logic_error(fmt::format("the certificate of {} proves another answer", pair.id));
+  return text;
+}
+
+}  // namespace
+
 std::string accepted_certificate(const Case& pair, Monitor* monitor) {
+  if (pair.a.dimension == 2) return accepted_in_plane(pair, monitor);
   if (pair.a.pieces || pair.b.pieces) {
     UnionOptions options;
     options.monitor = monitor;

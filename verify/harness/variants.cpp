@@ -78,7 +78,7 @@ std::optional<Variant> swapped(Variant variant) {
 std::optional<Variant> translated(Variant variant) {
   const Case original = variant.seen;
   bool moved = false;
-  for (std::size_t axis = 0; axis < axes.size(); ++axis)
+  for (std::size_t axis = 0; axis < original.a.dimension; ++axis)
     if (const std::optional<mpq_class> step = shift(original, axis, variant.format)) {
       moved = true;
       variant.step.*axes[axis] = *step;

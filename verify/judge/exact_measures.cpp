@@ -173,8 +173,8 @@ std::optional<mpq_class> distance_of(const Depth& depth) {
 class PolytopeMeasures final : public ExactMeasures {
  public:
   PolytopeMeasures(const Truth& truth, const NumberFormat& format, const Tolerance& tolerance)
-      : ExactMeasures(sizes_of(truth.a, truth.b), truth.depth.status(), truth.depth.squared(), distance_of(truth.depth),
-                      format, tolerance),
+      : ExactMeasures(sizes_of(truth.a, truth.b, truth.dimension), truth.depth.status(), truth.depth.squared(),
+                      distance_of(truth.depth), format, tolerance),
         truth_(truth),
         scene_(truth) {}
 
@@ -276,8 +276,8 @@ struct Left {
 class UnionMeasures final : public ExactMeasures {
  public:
   UnionMeasures(const UnionTruth& truth, const NumberFormat& format, const Tolerance& tolerance, Monitor* monitor)
-      : ExactMeasures(sizes_of(truth.a, truth.b), truth.depth.status, truth.depth.squared(), distance_of(truth.depth),
-                      format, tolerance),
+      : ExactMeasures(sizes_of(truth.a, truth.b, truth.dimension), truth.depth.status, truth.depth.squared(),
+                      distance_of(truth.depth), format, tolerance),
         truth_(truth),
         monitor_(monitor) {}
 

@@ -97,10 +97,11 @@ std::optional<mpq_class> way_out(const polytope::PlacedPair& placed, const Inner
   return Search(placed, inside, u).run(patience);
 }
 
-Sizes sizes_of(std::span<const Point> a, std::span<const Point> b) {
+Sizes sizes_of(std::span<const Point> a, std::span<const Point> b, unsigned dimension) {
   polytope::require_bodies(a, b);
   Sizes sizes;
-  for (const auto axis : {&Point::x, &Point::y, &Point::z}) {
+  constexpr std::array axes = {&Point::x, &Point::y, &Point::z};
+  for (const auto axis : std::span(axes).first(dimension)) {
     const auto range = [axis](std::span<const Point> body) {
       const auto [low, high] = std::ranges::minmax_element(
           body, [](const mpq_class& p, const mpq_class& q) { return p < q; }, axis);
@@ -115,15 +116,16 @@ Sizes sizes_of(std::span<const Point> a, std::span<const Point> b) {
   return sizes;
 }
 
-Sizes sizes_of(const Pieces& a, const Pieces& b) {
+Sizes sizes_of(const Pieces& a, const Pieces& b, unsigned dimension) {
   for (const Pieces* body : {&a, &b})
     for (const std::vector<Point>& piece : *body) polytope::require_bodies(piece, piece);
-  return sizes_of(polytope::joined(a), polytope::joined(b));
+  return sizes_of(polytope::joined(a), polytope::joined(b), dimension);
 }
 
-Sizes sizes_of(const Shape& a, const Shape& b, unsigned bits) {
+Sizes sizes_of(const Shape& a, const Shape& b, unsigned bits, unsigned dimension) {
   Sizes sizes;
-  for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}) {
+  const std::array<Point, 3> axes = {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}};
+  for (const Point& axis : std::span(axes).first(dimension)) {
     std::array<std::array<mpq_class, 2>, 2> reach;  // of each body, in both directions
     for (const Shape* body : {&a, &b}) {
       if (shapes::is_halfspace(*body)) continue;

@@ -29,13 +29,13 @@ struct Sizes {
   mpq_class reach;     ///< the largest absolute coordinate of a difference b - a
 };
 
-/// Returns the sizes of two bodies, which are not empty.
-Sizes sizes_of(std::span<const Point> a, std::span<const Point> b);
+/// Returns the sizes of two bodies, which are not empty; with dimension 2 those along x and y.
+Sizes sizes_of(std::span<const Point> a, std::span<const Point> b, unsigned dimension = 3);
 /// Returns the sizes of unions.
-Sizes sizes_of(const Pieces& a, const Pieces& b);
+Sizes sizes_of(const Pieces& a, const Pieces& b, unsigned dimension = 3);
 /// Returns the sizes of shapes, rounded up, with roots of `bits` bits. A half-space counts as the
 /// point O.
-Sizes sizes_of(const Shape& a, const Shape& b, unsigned bits);
+Sizes sizes_of(const Shape& a, const Shape& b, unsigned bits, unsigned dimension = 3);
 
 /// Exact measures of polytopes. Refers to the truth, which must outlive it. Below, h(u) = max_b
 /// <u,b> - min_a <u,a>.

@@ -75,8 +75,10 @@ class ShapeMeasures final : public Measures {
         tolerance_(tolerance),
         bits_(bits),
         added_(truth.added_a + truth.added_b),
-        sizes_(sizes_of(truth.a, truth.b, bits)) {
-    asked_ = added_ == 0 ? sizes_ : sizes_of(without(truth.a, truth.added_a), without(truth.b, truth.added_b), bits);
+        sizes_(sizes_of(truth.a, truth.b, bits, truth.dimension)) {
+    asked_ = added_ == 0
+                 ? sizes_
+                 : sizes_of(without(truth.a, truth.added_a), without(truth.b, truth.added_b), bits, truth.dimension);
     const SignedDepth* signed_depth = &truth.depth;
     if (bits != usual_bits && truth.depth.bounds()) signed_depth = &closer_.emplace(of(truth.a));
     status_ = signed_depth->status();

@@ -13,6 +13,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
+#include "reference/answer/plane.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/judge/claim.hpp"
 
@@ -92,9 +93,13 @@ namespace fathom::judging {
 
 std::optional<Body> body_seen(const Body& body, const NumberFormat& format) {
   if (body.shape) return body;
+  Body result;
+  result.dimension = body.dimension;
   if (!body.pieces) {
     std::optional<GivenPoints> points = seen(body.points, format);
-    return points ? std::optional(Body{*std::move(points)}) : std::nullopt;
+    if (!points) return std::nullopt;
+    result.points = *std::move(points);
+    return result;
   }
   Pieces pieces;
   for (const std::vector<Point>& piece : *body.pieces) {
@@ -102,12 +107,17 @@ std::optional<Body> body_seen(const Body& body, const NumberFormat& format) {
     if (!points) return std::nullopt;
     pieces.push_back(points->exact());
   }
-  Body result;
   result.pieces = std::make_shared<const Pieces>(std::move(pieces));
   return result;
 }
 
 AnyTruth truth_of(const Body& a, const Body& b, const Options& options) {
+  if (a.dimension == 2 || b.dimension == 2) {
+    const answer::Prisms prisms = answer::prisms_of(a, b);
+    AnyTruth truth = truth_of(prisms.a, prisms.b, options);
+    std::visit([](auto& known) { known.dimension = 2; }, truth);
+    return truth;
+  }
   if (a.pieces || b.pieces) return truth_about(pieces_of(a), pieces_of(b), UnionOptions{.monitor = options.monitor});
   if (a.shape || b.shape)
     return truth_about(files::shape_of(a), files::shape_of(b), SignedDepthOptions{.cores = options});

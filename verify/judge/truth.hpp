@@ -21,8 +21,10 @@ using AnyTruth = std::variant<Truth, ShapeTruth, UnionTruth>;
 /// each piece too; the numbers of shapes are not. Returns nullopt if a coordinate overflows.
 std::optional<Body> body_seen(const Body& body, const NumberFormat& format);
 
-/// Returns the truth about two rounded bodies. Throws std::invalid_argument for a union beside a
-/// shape that is no polytope, and as the functions truth_about of fathom/judge.hpp do.
+/// Returns the truth about two rounded bodies; of bodies of the plane that about what stands for
+/// them in space [fathom/plane.hpp], where directions and points of the plane have z = 0.
+/// Throws std::invalid_argument for a union beside a shape that is no polytope, and as truth_about
+/// of fathom/judge.hpp does.
 AnyTruth truth_of(const Body& a, const Body& b, const Options& options = {});
 
 /// Judges the reply as the functions judge of fathom/judge.hpp do.

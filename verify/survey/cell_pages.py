@@ -42,8 +42,10 @@ def truth(result):
 
 def reproducer(line, adapters):
     commands = [f"fathom certify --adapter {adapter} --html {adapter}.html --certificates proofs case.jsonl" for adapter in adapters]
+    in_plane = json.loads(line).get("dimension") == 2
+    smaller = [] if in_plane else [f"fathom certify --adapter {adapters[0]} --shrink small case.jsonl"]
     return "\n".join(["cat > case.jsonl <<'END'", line, "END", "fathom depth --svg pictures --certificate proofs case.jsonl", *commands,
-                      f"fathom certify --adapter {adapters[0]} --shrink small case.jsonl"])
+                      *smaller])
 
 
 def case_article(case, line, what, failing, certificate):

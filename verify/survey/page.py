@@ -96,11 +96,11 @@ def dates(results, name):
 
 
 def result_map(results, name):
-    found = results["sets"][name]
-    head = "".join(f'<th scope="col"><a href="#s-{s["adapter"]}">{s["adapter"]}</a></th>' for s in results["subjects"])
+    found, asked = results["sets"][name], [s for s in results["subjects"] if name in s["sets"]]
+    head = "".join(f'<th scope="col"><a href="#s-{s["adapter"]}">{s["adapter"]}</a></th>' for s in asked)
     rows = []
     for row, count in found["rows"].items():
-        cells = "".join(map_cell(results, name, row, subject) for subject in results["subjects"])
+        cells = "".join(map_cell(results, name, row, subject) for subject in asked)
         if "<a " in cells:
             shown = row.removeprefix("real::")
             rows.append(f'<tr><th scope="row">{e(shown)}</th>{"" if found["by_case"] else f"<td class=count>{count}</td>"}{cells}</tr>')
@@ -126,7 +126,8 @@ def section(results, name):
 def both_ways(results):
     """Returns the real cases as hulls and as in their reports, by what was judged and by the best settings found, as in RESULTS.md."""
     text = "<section><h2>Real cases, both ways</h2>\n"
-    for legend, (head, rows) in ((tables.LEGEND, tables.real_table(results)), (tables.BEST_LEGEND, tables.best_table(results))):
+    for legend, (head, rows) in ((tables.LEGEND, tables.real_table(tables.of_space(results))),
+                                  (tables.BEST_LEGEND, tables.best_table(tables.of_space(results)))):
         cells = "\n".join(f'<tr><th scope="row">{e(row[0])}</th>{"".join(f"<td>{e(cell)}</td>" for cell in row[1:])}</tr>' for row in rows)
         text += (f'<p class="small soft">{e(legend).replace("`", "")}</p>\n<div class="wide" tabindex="0" role="region" aria-label="Both ways">'
                  f'<table class="facts"><thead><tr>{"".join(f"""<th scope="col">{e(cell)}</th>""" for cell in head)}</tr></thead><tbody>'

@@ -16,7 +16,9 @@ class Set:
     title: str
     about: str
     count: int = 0         # of generated cases
-    size: int = 20         # points a body
+    size: int = 20         # points a body; 0: as is usual for each family
+    kind: str = ""         # of all families: an option of `fathom cases`
+    dimension: int = 3     # of the bodies: 2 is put to subjects of the plane, and to no others
     families: tuple = ()   # generated one after another; empty: all in turn
     file: str = ""         # of existing cases
     program: str = ""      # of this folder, with its arguments, that prints the cases
@@ -34,11 +36,11 @@ class Set:
         if self.program:
             return [self.program.split()]
         each = self.count // len(self.families) if self.families else self.count
-        return [["fathom", "cases", "--family", family, "--count", str(each), *self.of_points(), "--seed", "1"]
+        return [["fathom", "cases", "--family", family, *filter(None, [self.kind]), "--count", str(each), *self.of_points(), "--seed", "1"]
                 for family in self.families or ("all",)]
 
     def of_points(self):
-        return [] if self.families else ["--size", str(self.size)]
+        return [] if self.families or not self.size else ["--size", str(self.size)]
 
     def command(self):
         """Returns the same as text for a shell."""
@@ -62,7 +64,11 @@ SETS = {
     "200": Set("All families, 200 points", "The same families with larger bodies.", count=184, size=200),
     "primitives": Set("Primitives", "Spheres, capsules, boxes, cylinders, cones and ellipsoids by name, to subjects that have them; many "
                       "pairs are shallow, touching or special by intent.", count=1400, families=PRIMITIVES),
+    "plane": Set("Bodies of the plane", "Polygons, circles and capsules: every way for two of them to be special that fathom knows.",
+                 count=1500, size=0, kind="--plane", dimension=2),
 }
+# # The adapters of engines of the plane.
+PLANE = ("planck", "matter", "box2d", "rapier2d-contact", "rapier2d-world")
 
 # # The subjects that are asked for whole manifolds: engines with hulls, and all with their own boxes, of which FCL, ODE and Bullet make
 # # several contacts.
@@ -113,6 +119,11 @@ TRIED = {
     "mujoco-libccd": MUJOCO,
     "mujoco-distance": MUJOCO,
 }
+
+
+def is_asked(adapter, name):
+    """Returns whether the subject takes bodies of the dimension of the set."""
+    return (ALL[name].dimension == 2) == (adapter in PLANE)
 
 
 def deciding(adapter):

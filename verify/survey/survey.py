@@ -136,7 +136,7 @@ def run_all(options, tasks):
 
 def as_minimum(task, options):
     """Returns the task that judges a subject by shortest translations, although it claims less; for other subjects the task itself."""
-    if task.name not in sets.TRIED_SETS:
+    if task.name not in (*sets.TRIED_SETS, "plane"):
         return task
     claims = tally.read(options.work / task.report)[0]["subject"]["conventions"].get("claims")
     return dataclasses.replace(task, policy="minimum") if claims == "separating" else task
@@ -145,7 +145,7 @@ def as_minimum(task, options):
 def tried(options, chosen, counts):
     """Returns the tasks of every adapter with other settings and sizes of bodies, on the sets that have them."""
     return [Task(name, adapter, counts[name], settings, fit) for name in options.sets if name in sets.TRIED_SETS for adapter in chosen
-            for settings in ["", *sets.TRIED.get(adapter, [])] for fit in sets.FITS if settings or fit]
+            if sets.is_asked(adapter, name) for settings in ["", *sets.TRIED.get(adapter, [])] for fit in sets.FITS if settings or fit]
 
 
 def of_contacts(options, chosen, counts):
@@ -254,7 +254,8 @@ def main(words=None):
     for name in options.sets:
         sets.make(sets.ALL[name], options.fathom, options.work / f"{name}.jsonl")
     counts = {name: len(sets.read_cases(options.work / f"{name}.jsonl")) for name in options.sets}
-    tasks = [Task(name, adapter, counts[name]) for name in options.sets if name in sets.SETS for adapter in chosen]
+    tasks = [Task(name, adapter, counts[name]) for name in options.sets if name in sets.SETS for adapter in chosen
+             if sets.is_asked(adapter, name)]
     manifolds = of_contacts(options, chosen, counts)
     others = [] if options.as_by_default else tried(options, chosen, counts)
     faults = run_all(options, [*tasks, *others, *manifolds])

@@ -237,7 +237,29 @@ def tried_table(results):
 
 def in_one_table(results):
     """Returns the sets without a table of their own."""
-    return [name for name in results["sets"] if name not in (*sets.TRIED_SETS, "worst")]
+    return [name for name in results["sets"] if name not in (*sets.TRIED_SETS, "worst", "plane")]
+
+
+def of_space(results):
+    """Returns the results of the subjects that take bodies of space."""
+    return {**results, "subjects": [subject for subject in results["subjects"] if subject["adapter"] not in sets.PLANE]}
+
+
+def plane_table(results):
+    """Returns a table of the engines of the plane: what is asked, and what each family comes to."""
+    subjects = [subject for subject in results["subjects"] if "plane" in subject["sets"]]
+    rows = [["version", *(subject["hello"]["version"] for subject in subjects)],
+            ["call", *(f"`{subject['hello']['settings']['call']}`" for subject in subjects)],
+            ["bits", *map(bits, subjects)], ["judged", *(judged(subject, "plane") for subject in subjects)]]
+    for family, cases in results["sets"]["plane"]["rows"].items():
+        counts = [subject["sets"]["plane"]["cells"][family]["n"] for subject in subjects]
+        asked = [sum(n for verdict, n in count.items() if verdict != "unsupported") for count in counts]
+        rows.append([f"{family}: {cases}", *(f"{sum(count.get(verdict, 0) for verdict in tally.PASSES)} of {all_}" if all_ else ""
+                                             for count, all_ in zip(counts, asked))])
+    for group in results["groups"]:
+        rows.append([f"all, {group}", *(subject["sets"]["plane"]["groups"].get(group, "") for subject in subjects)])
+    rows.append(["all, right in status and depth", *(subject["sets"]["plane"]["alone"] for subject in subjects)])
+    return table(["", *(subject["adapter"] for subject in subjects)], rows)
 
 
 def sets_table(results):
@@ -358,12 +380,16 @@ def page(results, today):
     sections = [SECTION.format(**found, groups=groups_table(results, name), errors=errors_table(results, name))
                 for name, found in results["sets"].items()]
     return PAGE.format(made=made(results, results["sets"], today), time_out=results["time_out"], legend=LEGEND, best_legend=BEST_LEGEND,
-                       subjects=subjects_table(results["subjects"]), real=table(*real_table(results)), best=table(*best_table(results)),
-                       sections="\n".join(sections), small_world=small_world_page(results), contacts=contacts_page(results, today))
+                       subjects=subjects_table(results["subjects"]), real=table(*real_table(of_space(results))),
+                       best=table(*best_table(of_space(results))), sections="
+".join(sections),
+                       small_world=small_world_page(results), contacts=contacts_page(results, today))
 
 
 def blocks(results, today):
     """Returns {page: {name of a table: its text}} for pages that are written by hand except for their tables."""
+    plane = plane_table(results) + "\n" + wrapped(made(results, ["plane"], today))
+    results = of_space(results)
     other = in_one_table(results)
     both = wrapped(made(results, sets.TRIED_SETS, today))
     return {
@@ -372,6 +398,7 @@ def blocks(results, today):
             "best": wrapped(BEST_LEGEND) + "\n" + table(*best_table(results)),
             "sets": sets_table(results) + "\n" + wrapped(made(results, other, today)),
             "primitives": primitives_table(results) + "\n" + wrapped(made(results, ["primitives"], today))},
+        "docs/results.md": {"plane": plane},
         "verify/survey/README.md": {"fits": fits_table(results) + "\n" + both, "tried": tried_table(results)},
         "verify/subjects/web/README.md": {"web": web_table(results) + "\n" + both},
         "verify/worst/README.md": {"worst": worst_table(results) + "\n" + wrapped(made(results, ["worst"], today))}}

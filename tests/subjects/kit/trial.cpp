@@ -113,6 +113,7 @@ int main() {
   subject.claims = "separating";
   subject.rounding = {{"vertices", 0.1}, {"box", 0.25}};
   subject.manifold = {{"most", 4}, {"margin", 0.125}};
+  if (std::getenv("FATHOM_KIT_PLANE")) subject.dimension = 2;
   if (std::getenv("FATHOM_KIT_ANY_MANIFOLD")) subject.manifold.emplace();
   if (const char* const axis = std::getenv("FATHOM_KIT_AXIS")) subject.axis = axis[0];
   return fathom_subject::run(subject, solve);

@@ -35,4 +35,4 @@ run((a, b) => {
 }, { name: 'trial', version: '7', precision: { points: 'binary32', answers: 'binary64' }, touching: 'overlap', depth: 'negative', moves: 'b', unit: false, faces: true, twist: true,
      shapes: ['capsule', 'box', 'margin'], promises: ['depth'], settings: { limit: '3' }, rounding: { vertices: 0.1, box: 0.25 },
      manifold: { most: 4, margin: 0.125 },
-     claims: 'separating', axis: process.env.FATHOM_KIT_AXIS });
+     claims: 'separating', axis: process.env.FATHOM_KIT_AXIS, dimension: process.env.FATHOM_KIT_PLANE ? 2 : 3 });

@@ -57,4 +57,5 @@ def solve(a, b):
 fathom_subject.run(solve, name="trial", version="7", precision={"points": "binary32", "answers": "binary64"}, touching="overlap",
                    depth="negative", moves="b", unit=False, faces=True, twist=True, shapes=["capsule", "box", "margin"], promises=["depth"],
                    settings={"limit": "3"}, rounding={"vertices": 0.1, "box": 0.25}, manifold={"most": 4, "margin": 0.125},
-                   claims="separating", axis=os.environ.get("FATHOM_KIT_AXIS"))
+                   claims="separating", axis=os.environ.get("FATHOM_KIT_AXIS"),
+                   dimension=2 if os.environ.get("FATHOM_KIT_PLANE") else 3)

@@ -30,5 +30,6 @@ fn main() {
 "conventions":{"touching":"overlap","depth":"negative","moves":"b","unit":false,"claims":"separating"},
 "capabilities":{"faces":true,"shapes":["capsule","box","margin"],"twist":true},"promises":["depth"],"rounding":{"vertices":0.1,"box":0.25},
 "manifold":{"most":4,"margin":0.125}"#;
-    run(&said.replace('\n', ""), solve);
+    let plane = if std::env::var("FATHOM_KIT_PLANE").is_ok() { r#","dimension":2"# } else { "" };
+    run(&(said.replace('\n', "") + plane), solve);
 }

@@ -14,6 +14,7 @@
 #include "verify/harness/seen_case.hpp"
 #include "verify/judge/claim.hpp"
 #include "verify/judge/fields.hpp"
+#include "verify/judge/truth.hpp"
 #include "view/picture/markup.hpp"
 #include "view/picture/scene.hpp"
 #include "view/picture/view.hpp"
@@ -129,17 +130,20 @@ std::string truth_list(const Outcome& outcome, const Known& known, const std::st
 }
 
 /// Returns the subject's own numbers, each with the convention that it follows.
-std::string claim_list(const Reply& reply, const Conventions& conventions) {
+std::string claim_list(const Reply& reply, const Conventions& conventions, unsigned dimension) {
+  const auto point_text = [dimension](const Triple& p) {
+    return dimension == 2 ? fmt::format("({}, {})", p[0], p[1]) : triple_text(p);
+  };
   Facts facts;
   facts.add("status", reply.overlap ? "the bodies overlap" : "the bodies do not overlap");
   facts.add(conventions.depth == Conventions::Sign::positive ? "depth" : "depth, negative where they overlap",
             reply.depth);
   facts.add("distance", reply.distance);
-  facts.add(fmt::format("direction in which {} moves", moving_body(conventions)), reply.direction, triple_text);
-  facts.add("point of A", reply.witness_a, triple_text);
-  facts.add("point of B", reply.witness_b, triple_text);
+  facts.add(fmt::format("direction in which {} moves", moving_body(conventions)), reply.direction, point_text);
+  facts.add("point of A", reply.witness_a, point_text);
+  facts.add("point of B", reply.witness_b, point_text);
   for (const ContactPoint& contact : reply.contacts) {
-    facts.add("contact", std::optional(contact.position), triple_text);
+    facts.add("contact", std::optional(contact.position), point_text);
     facts.add("depth there", contact.depth);
   }
   return facts.list("Claim");
@@ -257,7 +261,8 @@ std::string exact_numbers(const Outcome& outcome, const Known& known) {
     add("deepest_pair_squared", known.unions->depth.bounds->deepest_pair);
   }
   const auto add_translation = [&](const Point& t) {
-    result += fmt::format("translation of A = ({}, {}, {})\n", exact(t.x), exact(t.y), exact(t.z));
+    result += fmt::format("translation of A = ({}, {}{})\n", exact(t.x), exact(t.y),
+                          outcome.dimension == 2 ? "" : ", " + exact(t.z));
   };
   if (known.unions && known.unions->depth.status == Status::penetrating)
     for (const UnionOptimum& optimum : known.unions->depth.optima) add_translation(optimum.translation);
@@ -272,8 +277,9 @@ Known known_of(const Case& seen) {
   Known known;
   if (seen.a.shape || seen.b.shape) return known;
   try {
-    if (files::has_union(seen)) known.unions = truth_about(pieces_of(seen.a), pieces_of(seen.b));
-    else known.truth = truth_about(seen.a.points, seen.b.points);
+    judging::AnyTruth truth = judging::truth_of(seen.a, seen.b);
+    if (files::has_union(seen)) known.unions = std::get<UnionTruth>(std::move(truth));
+    else known.truth = std::get<Truth>(std::move(truth));
   } catch (const std::exception&) {
     return {};
   }
@@ -321,6 +327,7 @@ std::string figure_element(const std::string& svg, const std::string& caption) {
 std::string figure(const SubjectInfo& subject, const HtmlFailure& failure, const Case& judged, const Known& known,
                    const std::string& anchor) {
   const Outcome& outcome = failure.outcome;
+  if (outcome.dimension == 2) return "";  // pictures of pairs are of space
   const std::string of = markup(shown_id(outcome.id, outcome.variant));
   const std::optional<Point> claimed =
       outcome.reply ? claimed_translation(in_unit(*outcome.reply, -outcome.fit), subject.conventions) : std::nullopt;
@@ -378,7 +385,7 @@ std::string failure_article(const SubjectInfo& subject, const HtmlFailure& failu
   result += fmt::format("<p><span class=\"verdict\">{}</span>: {}</p>\n", name(outcome.verdict),
                         markup(sentence_of(outcome)));
   std::string said = "<div class=\"facts\">\n";
-  if (outcome.reply) said += claim_list(in_unit(*outcome.reply, -outcome.fit), subject.conventions);
+  if (outcome.reply) said += claim_list(in_unit(*outcome.reply, -outcome.fit), subject.conventions, outcome.dimension);
   said += truth_list(outcome, known, picture::without_folders(failure.certificate_name));
   if (outcome.judgement) said += residual_list(*outcome.judgement);
   if (outcome.hulls) said += hulls_list(*outcome.hulls);

@@ -47,7 +47,8 @@ struct Twist {
 };
 
 /// One body of a case: the convex hull of `vertices`; or a shape, if the subject declared some.
-/// docs/shapes.md says what its fields mean.
+/// docs/shapes.md says what its fields mean. A body of the plane has z = 0: it is the hull of
+/// `vertices`, grown by `margin`, and its faces are edges, one behind the other.
 struct Body {
   std::vector<Vector> vertices;  ///< of a shape, only hulls and triangles have them
   /// facets of the hull, counter-clockwise from outside; none unless asked for, or if it is flat
@@ -103,6 +104,7 @@ using Solve = std::function<Reply(const Body& a, const Body& b)>;
 /// What the subject declares of itself.
 struct Subject {
   std::string name, version;  ///< of what is tested
+  int dimension = 3;          ///< 2 for bodies of the plane: then z is 0 everywhere, and not sent
   /// or "binary32": in which it computes. Bodies are rounded to it before they are sent
   std::string precision = "binary64";
   /// what it says of bodies that touch: "overlap", "separate"; "either" makes no promise
@@ -111,7 +113,8 @@ struct Subject {
   std::string moves = "a";         ///< or "b": which body |depth| * direction moves apart
   bool unit = true;                ///< whether directions are promised to have length 1
   bool faces = false;              ///< whether bodies of vertices need faces
-  /// that it takes, "margin" if they may have one, "pieces" for unions; others come as vertices
+  /// that it takes, "margin" if they may have one, "pieces" for unions; others come as vertices. In
+  /// the plane of "circle", "capsule", "margin" (of polygons) and "pieces"
   std::vector<std::string> shapes = {};
   /// of "depth", "direction", "witness", "contacts": what answers with overlap hold; "distance",
   /// what others do; "derivative", what answers about bodies with a twist do
@@ -270,8 +273,8 @@ inline std::string number(double x) {
   }
 }
 
-inline std::string vector(const Vector& v) {
-  return '[' + number(v[0]) + ',' + number(v[1]) + ',' + number(v[2]) + ']';
+inline std::string vector(const Vector& v, int dimension) {
+  return '[' + number(v[0]) + ',' + number(v[1]) + (dimension == 2 ? "" : ',' + number(v[2])) + ']';
 }
 
 /// What `text` makes of each item, with commas.
@@ -293,6 +296,13 @@ std::array<double, n> numbers(const Json& from) {
     result[i] = *from.items[i].number;
   }
   return result;
+}
+
+/// A point of the plane gets z = 0.
+inline Vector point(const Json& from) {
+  if (from.items.size() != 2) return numbers<3>(from);
+  const std::array<double, 2> p = numbers<2>(from);
+  return {p[0], p[1], 0};
 }
 
 /// The matrix of v -> q v q^-1.
@@ -367,21 +377,24 @@ inline void check_shape(const Body& body, bool has_pose) {
   }
 }
 
-inline void check_faces(const Body& body) {
+inline void check_faces(const Body& body, bool in_plane) {
   const int vertices = static_cast<int>(body.vertices.size());
+  const std::size_t least = in_plane ? 2 : 3;
   for (const std::vector<int>& face : body.faces)
-    if (face.size() < 3 || std::any_of(face.begin(), face.end(), [vertices](int i) { return i < 0 || i >= vertices; }))
-      throw std::invalid_argument("a face needs three vertices of its body, or more");
+    if (face.size() < least ||
+        std::any_of(face.begin(), face.end(), [vertices](int i) { return i < 0 || i >= vertices; }))
+      throw std::invalid_argument(in_plane ? "an edge needs two vertices of its body"
+                                           : "a face needs three vertices of its body, or more");
 }
 
-inline Body body_of(const Json& from, char axis = 0) {
+inline Body body_of(const Json& from, char axis = 0, int dimension = 3) {
   Body body;
   bool has_axis = false, has_pose = false;
   for (const auto& [name, value] : from.members) {
     if (name == "pieces") {
       for (const Json& piece : value.items) body.pieces.push_back(body_of(piece).vertices);
     } else if (name == "vertices") {
-      for (const Json& vertex : value.items) body.vertices.push_back(numbers<3>(vertex));
+      for (const Json& vertex : value.items) body.vertices.push_back(point(vertex));
     } else if (name == "faces") {
       for (const Json& face : value.items) {
         body.faces.emplace_back();
@@ -408,7 +421,7 @@ inline Body body_of(const Json& from, char axis = 0) {
   }
   if (body.shape.empty() && body.vertices.empty() && body.pieces.empty())
     throw std::invalid_argument("a body without vertices");
-  check_faces(body);
+  check_faces(body, dimension == 2);
   check_shape(body, has_pose);
   if (has_axis && axis) turn(body, axis);
   return body;
@@ -435,10 +448,10 @@ inline std::string hello(const Subject& subject) {
   const std::string settings =
       joined(subject.settings, [](const auto& each) { return quoted(each.first) + ':' + quoted(each.second); });
   return R"({"type":"hello","protocol":"fathom/subject/1","name":)" + quoted(subject.name) +
-         ",\"version\":" + quoted(subject.version) + ",\"precision\":" + precision(subject) +
-         ",\"conventions\":{\"touching\":" + quoted(subject.touching) + ",\"depth\":" + quoted(subject.depth) +
-         ",\"moves\":" + quoted(subject.moves) + ",\"unit\":" + (subject.unit ? "true" : "false") +
-         ",\"claims\":" + quoted(subject.claims) +
+         (subject.dimension == 2 ? ",\"dimension\":2" : "") + ",\"version\":" + quoted(subject.version) +
+         ",\"precision\":" + precision(subject) + ",\"conventions\":{\"touching\":" + quoted(subject.touching) +
+         ",\"depth\":" + quoted(subject.depth) + ",\"moves\":" + quoted(subject.moves) +
+         ",\"unit\":" + (subject.unit ? "true" : "false") + ",\"claims\":" + quoted(subject.claims) +
          "},\"capabilities\":{\"faces\":" + (subject.faces ? "true" : "false") + ",\"shapes\":" + list(subject.shapes) +
          ",\"twist\":" + (subject.twist ? "true" : "false") + '}' +
          (subject.library.empty() ? "" : ",\"library\":" + quoted(subject.library)) +
@@ -446,12 +459,14 @@ inline std::string hello(const Subject& subject) {
          (subject.manifold ? ",\"manifold\":" + numbers(*subject.manifold) : "") + ",\"settings\":{" + settings + "}}";
 }
 
-inline std::string contact(const Contact& contact) {
-  return "{\"position\":" + vector(contact.position) + (contact.depth ? ",\"depth\":" + number(*contact.depth) : "") +
-         '}';
+inline std::string contact_text(const Contact& contact, int dimension) {
+  return "{\"position\":" + vector(contact.position, dimension) +
+         (contact.depth ? ",\"depth\":" + number(*contact.depth) : "") + '}';
 }
 
-inline std::string answer(const Reply& reply) {
+inline std::string answer(const Reply& reply, int dimension) {
+  const auto vector = [dimension](const Vector& v) { return details::vector(v, dimension); };
+  const auto contact = [dimension](const Contact& each) { return contact_text(each, dimension); };
   std::string result = std::string("\"overlap\":") + (reply.overlap ? "true" : "false");
   if (reply.depth) result += ",\"depth\":" + number(*reply.depth);
   if (reply.direction) result += ",\"direction\":" + vector(*reply.direction);
@@ -469,7 +484,8 @@ inline std::string answer(const Reply& reply) {
 }
 
 inline std::string reply_to(const Json& message, const Subject& subject, const Solve& solve) {
-  Body a = body_of(message.at("a"), subject.axis), b = body_of(message.at("b"), subject.axis);
+  Body a = body_of(message.at("a"), subject.axis, subject.dimension),
+       b = body_of(message.at("b"), subject.axis, subject.dimension);
   for (const auto& [name, twist] : message.members) {
     if (name != "twist") continue;
     a.twist = twist_of(twist.at("a"));
@@ -480,7 +496,7 @@ inline std::string reply_to(const Json& message, const Subject& subject, const S
     const auto start = std::chrono::steady_clock::now();
     const Reply reply = solve(a, b);
     const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
-    said = answer(reply);
+    said = answer(reply, subject.dimension);
     if (subject.timed) said += ",\"microseconds\":" + number(reply.microseconds.value_or(spent.count()));
   } catch (const Unsupported& why) {
     said = "\"unsupported\":" + quoted(reason(why.what()));

@@ -37,26 +37,20 @@ export function rotationOf(quaternion) {
  * `axis`, `margin` (0 if there is none), and lies at rotation p + translation; `quaternion` is there unless the case gave a matrix. `axis` is
  * the declared one, if one was declared: a cyclic exchange of axes goes before the rotation then. `twist: { v, w }` says that its point p
  * begins to move with the velocity v + w x p, w about the origin of the world; it is null unless the subject declared it and the case has one.
- * In the plane points have two coordinates, `faces` are the edges, one behind the other, and the rotation has two rows.
+ * A body of the plane is the hull of `vertices`, which have two coordinates, grown by `margin`; its `faces` are edges, one behind the other.
  */
-function bodyOf(message, dimension, axis, twist = null) {
+function bodyOf(message, axis, twist = null) {
   const { pose, ...fields } = message;
-  const rotation = rotationOf([1, 0, 0, 0]).slice(0, dimension).map((row) => row.slice(0, dimension));
-  const translation = Array(dimension).fill(0);
-  const body = { vertices: [], faces: [], pieces: [], shape: null, margin: 0, rotation, translation, twist, ...fields };
+  const body = { vertices: [], faces: [], pieces: [], shape: null, margin: 0, rotation: rotationOf([1, 0, 0, 0]), translation: [0, 0, 0], twist, ...fields };
   if (Array.isArray(pose)) {
-    body.rotation = pose.map((row) => row.slice(0, dimension));
-    body.translation = pose.map((row) => row[dimension]);
-  } else if (pose && dimension === 2) {
-    const t = pose.half_angle ?? 0, s = 1 + t * t;
-    body.rotation = [[(1 - t * t) / s, -2 * t / s], [2 * t / s, (1 - t * t) / s]];
-    body.translation = pose.translation ?? translation;
+    body.rotation = pose.map((row) => row.slice(0, 3));
+    body.translation = pose.map((row) => row[3]);
   } else if (pose) {
     body.quaternion = pose.quaternion;
     body.rotation = rotationOf(pose.quaternion);
     body.translation = pose.translation ?? body.translation;
   }
-  if (axis && body.axis && dimension === 3) {
+  if (axis && body.axis) {
     const by = (3 + 'xyz'.indexOf(body.axis) - 'xyz'.indexOf(axis)) % 3;
     body.axis = axis;
     body.rotation = body.rotation.map((row) => [0, 1, 2].map((i) => row[(i + by) % 3]));
@@ -112,7 +106,7 @@ function said(text) {
 }
 
 async function answerTo(solve, message, axis) {
-  const a = bodyOf(message.a, coordinates, axis, message.twist?.a), b = bodyOf(message.b, coordinates, axis, message.twist?.b);
+  const a = bodyOf(message.a, axis, message.twist?.a), b = bodyOf(message.b, axis, message.twist?.b);
   const start = process.hrtime.bigint();
   try {
     const answer = await solve(a, b);
@@ -149,7 +143,7 @@ console.log = console.info = console.debug = console.error;
  * time itself. What the subject declares:
  *
  * name, version   of what is tested
- * dimension       2 for bodies of the plane: points, directions and vertices then have two coordinates; 3 unless given
+ * dimension       2 for bodies of the plane: points and directions then have two coordinates; 3 unless given
  * precision       'binary64' or 'binary32': in which it computes. Bodies are rounded to it before they are sent. Or { points, answers }, if
  *                 points are seen in one and answers are of the other
  * touching        what it says of bodies that touch: 'overlap', 'separate', or 'either' if it makes no promise
@@ -158,7 +152,7 @@ console.log = console.info = console.debug = console.error;
  * unit            whether directions are promised to have length 1
  * faces           whether bodies of vertices need faces
  * shapes          names of the shapes that it takes, 'margin' if they may have one, 'pieces' if it takes unions; others come as vertices,
- *                 unions in pairs of pieces, or not at all
+ *                 unions in pairs of pieces, or not at all. In the plane of 'circle', 'capsule', 'margin' (of polygons) and 'pieces'
  * promises        which of 'depth', 'direction', 'witness', 'contacts' each answer holds that says 'overlap'; 'distance' of the others; and 'derivative' of
  *                 all about bodies with a twist
  * settings        { iterations: 100, ... }: shown beside the verdicts
@@ -172,7 +166,7 @@ export async function run(solve, declared) {
   const { name, version, precision = 'binary64', touching = 'either', depth = 'positive', moves = 'a', unit = true, faces = false,
           shapes = [], promises = [], settings = {}, rounding, manifold, claims = 'minimum', axis, twist = false, dimension = 3 } = declared;
   coordinates = dimension;
-  const hello = { type: 'hello', protocol, name, version, dimension, precision, conventions: { touching, depth, moves, unit, claims },
+  const hello = { type: 'hello', protocol, name, version, ...(dimension === 2 ? { dimension } : {}), precision, conventions: { touching, depth, moves, unit, claims },
                   capabilities: { faces, shapes, twist }, promises, settings, rounding, manifold };
   for await (const line of createInterface({ input: process.stdin, crlfDelay: Infinity })) {
     const message = JSON.parse(line);

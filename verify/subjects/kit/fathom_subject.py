@@ -40,6 +40,8 @@ class Body:
     twist        (v, w): its point p begins to move with the velocity v + w x p, w about the origin of the world; None unless your subject
                  declared "twist" and the case has one
 
+    In the plane vertices are [[x, y], ...], the body is their hull, grown by `margin`, and `faces` are edges, one behind the other.
+
     The other fields of a shape, `radius`, `half_length`, `half`, `radii`, `normal`, `offset` and so on, are attributes too.
     docs/shapes.md says what they mean.
     """
@@ -120,9 +122,14 @@ def _number(x):
     return x if math.isfinite(x) else str(x)
 
 
+_dimension = [3]
+
+
 def _vector(v):
-    x, y, z = v
-    return [_number(x), _number(y), _number(z)]
+    numbers = [_number(x) for x in v]
+    if len(numbers) != _dimension[0]:
+        raise ValueError(f"{len(numbers)} numbers in the place of {_dimension[0]}")
+    return numbers
 
 
 def _diverted():
@@ -160,7 +167,7 @@ def _answer(solve, message, axis):
 
 def run(solve, *, name, version, precision="binary64", touching="either", depth="positive", moves="a", unit=True,
         faces=False, shapes=(), promises=(), settings=None, rounding=None, manifold=None, claims="minimum", axis=None,
-        twist=False):
+        twist=False, dimension=3):
     """Answers cases until there are no more: solve(a, b) returns a Reply for two Body values.
 
     name, version   of what is tested
@@ -181,11 +188,16 @@ def run(solve, *, name, version, precision="binary64", touching="either", depth=
     claims          "minimum": no translation is shorter than depth * direction; or "separating": no more than that this one separates
     axis            "x", "y" or "z": along which the library's own shapes lie. Bodies then come turned to it; None: as the case has them
     twist           whether bodies come with their twists, to be asked for the derivative
+    dimension       2 for bodies of the plane: points and directions then have two coordinates, and the shapes are of "circle", "capsule",
+                    "margin" (of polygons) and "pieces"
     """
+    _dimension[0] = dimension
     hello = {"type": "hello", "protocol": PROTOCOL, "name": name, "version": version, "precision": precision,
              "conventions": {"touching": touching, "depth": depth, "moves": moves, "unit": unit, "claims": claims},
              "capabilities": {"faces": faces, "shapes": list(shapes), "twist": twist}, "promises": list(promises),
              "settings": settings or {}}
+    if dimension == 2:
+        hello["dimension"] = dimension
     if rounding is not None:
         hello["rounding"] = rounding
     if manifold is not None:

@@ -7,7 +7,8 @@
 use std::io::{BufRead, Write};
 use std::panic::{catch_unwind, AssertUnwindSafe};
 
-/// One body of a case: the convex hull of `vertices`; or a shape, if you declared some, whose fields are those of docs/shapes.md.
+/// One body of a case: the convex hull of `vertices`; or a shape, if you declared some, whose fields are those of docs/shapes.md. With
+/// `"dimension":2` in the hello z is 0 everywhere, and not sent: the body is the hull of `vertices`, grown by the field `margin`.
 pub struct Body<'a> {
     pub vertices: Vec<[f64; 3]>,
     pub fields: &'a Json,
@@ -80,8 +81,8 @@ fn number(x: f64) -> String {
     if x.is_finite() { format!("{:?}", x) } else { format!("\"{}\"", x).to_lowercase() }
 }
 
-fn vector(v: [f64; 3]) -> String {
-    format!("[{},{},{}]", number(v[0]), number(v[1]), number(v[2]))
+fn vector(v: [f64; 3], dimension: usize) -> String {
+    format!("[{}]", v[..dimension].iter().map(|&x| number(x)).collect::<Vec<_>>().join(","))
 }
 
 fn quoted(text: &str) -> String {
@@ -90,13 +91,19 @@ fn quoted(text: &str) -> String {
 
 fn body<'a>(message: &'a Json, name: &str) -> Option<Body<'a>> {
     let fields = message.get(name)?;
-    let point = |v: &Json| -> Option<[f64; 3]> { v.items().iter().filter_map(Json::number).collect::<Vec<_>>().try_into().ok() };
+    let point = |v: &Json| -> Option<[f64; 3]> {
+        let mut numbers: Vec<f64> = v.items().iter().filter_map(Json::number).collect();
+        if numbers.len() == 2 {
+            numbers.push(0.0);
+        }
+        numbers.try_into().ok()
+    };
     let twist = message.get("twist").and_then(|of| of.get(name)).and_then(|of| Some([point(of.get("v")?)?, point(of.get("w")?)?]));
     let vertices = fields.get("vertices").map_or(Some(vec![]), |list| list.items().iter().map(point).collect())?;
     Some(Body { vertices, fields, twist })
 }
 
-fn answer(solve: &dyn Fn(&Body, &Body) -> Result<Reply, String>, a: Body, b: Body) -> String {
+fn answer(solve: &dyn Fn(&Body, &Body) -> Result<Reply, String>, a: Body, b: Body, dimension: usize) -> String {
     let start = std::time::Instant::now();
     let result = catch_unwind(AssertUnwindSafe(|| solve(&a, &b)));
     let spent = start.elapsed().as_nanos() as f64 / 1000.0;
@@ -109,6 +116,7 @@ fn answer(solve: &dyn Fn(&Body, &Body) -> Result<Reply, String>, a: Body, b: Bod
         }
     };
     let mut said = format!("\"overlap\":{},\"microseconds\":{}", reply.overlap, number(reply.microseconds.unwrap_or(spent)));
+    let vector = |v| vector(v, dimension);
     let witness = reply.witness.map(|[p, q]| format!("{{\"a\":{},\"b\":{}}}", vector(p), vector(q)));
     let values = [reply.depth.map(number), reply.distance.map(number), reply.direction.map(vector), witness, reply.derivative.map(number)];
     for (name, value) in ["depth", "distance", "direction", "witness", "derivative"].iter().zip(values) {
@@ -127,6 +135,7 @@ pub fn run(declared: &str, solve: impl Fn(&Body, &Body) -> Result<Reply, String>
     // SAFETY: the copy of standard output is nobody else's; what is printed from here on goes to standard error.
     let mut out: std::fs::File = unsafe { std::os::unix::io::FromRawFd::from_raw_fd(dup(1)) };
     unsafe { dup2(2, 1) };
+    let dimension = if declared.contains("\"dimension\":2") { 2 } else { 3 };
     for line in std::io::stdin().lock().lines().map(|line| line.expect("a line")) {
         let message = Json::read(&mut line.as_str()).unwrap_or_else(|| panic!("no message: {}", line));
         let said = match message.get("type").map(Json::text) {
@@ -134,7 +143,7 @@ pub fn run(declared: &str, solve: impl Fn(&Body, &Body) -> Result<Reply, String>
             Some("run") => {
                 let bodies = body(&message, "a").zip(body(&message, "b"));
                 let (a, b) = bodies.unwrap_or_else(|| panic!("bodies without vertices: {}", line));
-                format!("{{\"type\":\"reply\",\"id\":\"{}\",{}}}", message.get("id").map_or("", Json::text), answer(&solve, a, b))
+                format!("{{\"type\":\"reply\",\"id\":\"{}\",{}}}", message.get("id").map_or("", Json::text), answer(&solve, a, b, dimension))
             }
             _ => return,
         };

@@ -3,7 +3,7 @@
 //   world   the deepest point of b2Body_GetContactData after one step of a new world: what b2CollidePolygons and the calls for
 //           other shapes give. Polygons have radius 0 unless a margin is asked for.
 import Box2D from 'box2d3-wasm';
-import { cornersOf, manifold, mode, note, quiet, Refused, serve, setting, Unsupported, versionOf } from './engine.mjs';
+import { cornersOf, manifold, mode, note, quiet, Refused, serve, setting, versionOf } from './engine.mjs';
 
 const b2 = await Box2D(quiet);
 const most = 8;  // B2_MAX_POLYGON_VERTICES
@@ -20,32 +20,22 @@ function polygonOf(corners, radius) {
   return b2.b2MakePolygon(hull, radius);
 }
 
-const boxCorners = ([x, y]) => [[x, -y], [x, y], [-x, y], [-x, -y]];
-
 // Adds the shape to the body; returns the polygon that was made, or null.
-function attach(bodyId, body) {
-  const definition = b2.b2DefaultShapeDef(), margin = body.margin ?? 0;
-  switch (body.shape) {
-    case 'circle': case 'capsule': {
-      if (margin > 0) throw new Unsupported(`${body.shape} with margin`);
-      const end = body.shape === 'circle' ? 0 : body.half_length, along = body.axis === 'y' ? [0, end] : [end, 0];
-      if (body.shape === 'circle') {
-        const circle = new b2.b2Circle();
-        circle.center = vector([0, 0]), circle.radius = body.radius;
-        b2.b2CreateCircleShape(bodyId, definition, circle);
-      } else {
-        const capsule = new b2.b2Capsule();
-        capsule.center1 = vector(along.map((x) => -x)), capsule.center2 = vector(along), capsule.radius = body.radius;
-        b2.b2CreateCapsuleShape(bodyId, definition, capsule);
-      }
-      return null;
-    }
-    default: {
-      const polygon = polygonOf(body.shape ? boxCorners(body.half) : cornersOf(body, most), margin);
-      b2.b2CreatePolygonShape(bodyId, definition, polygon);
-      return body.shape ? null : polygon;
-    }
+function attach(bodyId, { points, faces, margin }) {
+  const definition = b2.b2DefaultShapeDef();
+  if (margin > 0 && points.length === 1) {
+    const circle = Object.assign(new b2.b2Circle(), { center: vector(points[0]), radius: margin });
+    b2.b2CreateCircleShape(bodyId, definition, circle);
+    return null;
   }
+  if (margin > 0 && points.length === 2) {
+    const capsule = Object.assign(new b2.b2Capsule(), { center1: vector(points[0]), center2: vector(points[1]), radius: margin });
+    b2.b2CreateCapsuleShape(bodyId, definition, capsule);
+    return null;
+  }
+  const polygon = polygonOf(cornersOf({ points, faces }, most), margin);
+  b2.b2CreatePolygonShape(bodyId, definition, polygon);
+  return margin > 0 ? null : polygon;
 }
 
 let world = null;  // each pair has a new one
@@ -73,14 +63,13 @@ await serve({
   name: 'box2d', version: versionOf('box2d3-wasm'), precision: 'binary32', dimension: 2,
   modes: {
     world: { call: 'b2World_Step, b2Body_GetContactData', depth: 'negative', moves: 'b', claims: 'separating',
-             shapes: ['circle', 'capsule', 'box', 'margin'], manifold: tellsPositions && { most: 2 }, ask: collide },
+             shapes: ['circle', 'capsule', 'margin'], manifold: tellsPositions && { most: 2 }, ask: collide },
   },
   make(body) {
     world ??= newWorld();
     const definition = b2.b2DefaultBodyDef();
     definition.type = b2.b2BodyType.b2_dynamicBody;
     definition.position = vector(body.at);
-    definition.rotation = Object.assign(new b2.b2Rot(), { c: body.turn[0], s: body.turn[1] });  // b2MakeRot is an approximation
     const id = b2.b2CreateBody(world, definition);
     return { id, at: body.at, polygon: attach(id, body) };
   },

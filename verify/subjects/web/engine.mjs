@@ -110,15 +110,10 @@ function demandRotation(rows) {
 
 /**
  * A body as engines take it: `points` about the place `at`, with `faces`; or the shape with its fields, turned by the unit quaternion
- * `turn` ([w, x, y, z]; in the plane [cos, sin]) and placed at `at`. Vertices are relative to their mean, rounded to the engine's numbers, as engines expect a
+ * `turn` ([w, x, y, z]) and placed at `at`. Vertices are relative to their mean, rounded to the engine's numbers, as engines expect a
  * body about its own origin.
  */
 function placed(body, round, dimension) {
-  if (body.shape && dimension === 2) {
-    const [[c, minusS], [s, d]] = body.rotation;
-    demandRotation([[c, minusS, 0], [s, d, 0], [0, 0, 1]]);
-    return { ...body, turn: [c, s], at: body.translation.map(round) };
-  }
   if (body.shape) {
     demandRotation(body.rotation);
     return { ...body, turn: body.quaternion ? unit(body.quaternion) : quaternionOf(body.rotation), at: body.translation.map(round) };
@@ -126,13 +121,10 @@ function placed(body, round, dimension) {
   const count = body.vertices.length;
   const at = Array.from({ length: dimension }, (_, i) => round(body.vertices.reduce((sum, p) => sum + p[i] / count, 0)));
   const points = body.vertices.map((p) => p.map((x, i) => round(x - at[i])));
-  return { shape: null, points, faces: body.faces, at, turn: dimension === 2 ? [1, 0] : [1, 0, 0, 0] };
+  return { shape: null, points, faces: body.faces, at, turn: [1, 0, 0, 0], margin: body.margin };
 }
 
-/** The angle of a turn in the plane. */
-export const angleOf = ([cosine, sine]) => Math.atan2(sine, cosine);
-
-/** The corners of a placed body of the plane that is no shape, counter-clockwise. Throws Refused without an interior, or beyond `most`. */
+/** The corners of a placed polygon, counter-clockwise. Throws Refused without an interior, Unsupported beyond `most`. */
 export function cornersOf({ points, faces }, most = Infinity) {
   if (!faces.length) throw new Refused('it has no interior');
   if (faces.length > most) throw new Unsupported(`${faces.length} corners: this engine takes ${most}`);
@@ -167,7 +159,7 @@ export async function serve({ name, version, precision, dimension = 3, modes, ma
     const made = [];
     try {
       for (const body of [a, b]) {
-        demandDeclared(body, shapes);
+        if (dimension === 3) demandDeclared(body, shapes);  // in the plane nothing else is put
         made.push(make(placed(body, round, dimension)));
       }
       const start = process.hrtime.bigint();
@@ -197,7 +189,7 @@ function demandDeclared({ shape, margin }, shapes) {
 }
 
 // fathom sends the faces of every solid body of vertices.
-const isFlat = (...bodies) => bodies.some((body) => !body.shape && body.faces.length === 0);
+const isFlat = (...bodies) => bodies.some((body) => !body.shape && body.faces.length === 0 && !(body.margin > 0));
 
 /** The answer that a separation is: the distance of bodies that are apart, or else their depth below 0. */
 export const signed = (separation) => (separation > 0 ? { overlap: false, distance: separation } : { overlap: true, depth: separation });

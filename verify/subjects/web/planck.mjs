@@ -3,7 +3,7 @@
 //   manifold   its deepest point
 // Polygons have a skin of Settings.polygonRadius, which the bodies of a case do not have and which no user sees: it is taken off again.
 import { createRequire } from 'node:module';
-import { angleOf, cornersOf, manifold, mode, note, Refused, serve, setting, Unsupported, versionOf } from './engine.mjs';
+import { cornersOf, manifold, mode, note, Refused, serve, setting, versionOf } from './engine.mjs';
 
 const P = createRequire(import.meta.url)('planck');
 const { CircleShape, Manifold, PolygonShape, Settings, Transform } = P;
@@ -14,8 +14,7 @@ note('polygon_radius', `${Settings.polygonRadius}, taken off`);
 note('linear_slop', String(Settings.linearSlop));
 
 function shapeOf(body) {
-  if (body.shape === 'circle') return new CircleShape(body.radius);
-  if (body.shape === 'box') return new PolygonShape([[1, -1], [1, 1], [-1, 1], [-1, -1]].map(([x, y]) => ({ x: x * body.half[0], y: y * body.half[1] })));
+  if (body.margin > 0) return new CircleShape(body.margin);
   const corners = cornersOf(body, most), shape = new PolygonShape(corners.map(([x, y]) => ({ x, y })));
   // Points that are nearer than half of the slop are welded; with fewer than three left it makes a box of its own.
   if (shape.m_vertices.some(({ x, y }) => !corners.some((p) => p[0] === x && p[1] === y))) throw new Refused('corners within linear_slop / 2');
@@ -44,9 +43,9 @@ await serve({
   name: 'planck', version: versionOf('planck'), precision: 'binary64', dimension: 2,
   modes: {
     manifold: { call: 'CollidePolygons, Manifold.getWorldManifold', depth: 'negative', moves: 'b', claims: 'separating',
-                shapes: ['circle', 'box'], manifold: tellsPositions && { most: 2 }, ask: collide },
+                shapes: ['circle'], manifold: tellsPositions && { most: 2 }, ask: collide },
   },
-  make: (body) => ({ shape: shapeOf(body), place: new Transform({ x: body.at[0], y: body.at[1] }, angleOf(body.turn)), at: body.at, asked: body.shape }),
-  hulls: (a, b) => Object.fromEntries([['a', a], ['b', b]].filter(([, { asked }]) => !asked)
+  make: (body) => ({ shape: shapeOf(body), place: new Transform({ x: body.at[0], y: body.at[1] }, 0), at: body.at }),
+  hulls: (a, b) => Object.fromEntries([['a', a], ['b', b]].filter(([, { shape }]) => shape.getType() === 'polygon')
                                           .map(([key, { shape, at }]) => [key, shape.m_vertices.map((v) => [v.x + at[0], v.y + at[1]])])),
 });

@@ -10,8 +10,9 @@ import { manifold, mode, quiet, Refused, serve, setting, signed } from './engine
  * describe(D, body)   the ColliderDesc (D) of a placed body; throws Refused where there is none
  * rotation(body)      the turn of its collider, as the package takes it
  * turned(turn, v)     the vector that this turns v to
+ * hulls               as serve takes it
  */
-export async function serveRapier(RAPIER, { name, dimension, shapes, describe, rotation, turned }) {
+export async function serveRapier(RAPIER, { name, dimension, shapes, describe, rotation, turned, hulls }) {
   console.warn = quiet.printErr;
   await RAPIER.init();
   const prediction = mode === 'contact' ? setting('prediction', 1e9) : 0;  // how far bodies that are apart are looked at
@@ -56,12 +57,13 @@ export async function serveRapier(RAPIER, { name, dimension, shapes, describe, r
       const kind = mode === 'world' ? RAPIER.RigidBodyDesc.dynamic() : RAPIER.RigidBodyDesc.fixed();
       const rigid = world.createRigidBody(kind.setTranslation(...body.at).setRotation(turn));
       try {
-        return { rigid, collider: world.createCollider(description, rigid), at: body.at, turn };
+        return { rigid, collider: world.createCollider(description, rigid), at: body.at, turn, body };
       } catch (why) {  // a hull that parry refuses shows here only
         world.removeRigidBody(rigid);
         throw /expected instance/.test(why?.message) ? new Refused('parry makes no hull of these points') : why;
       }
     },
+    hulls,
     free({ rigid }) {
       if (mode === 'contact') world.removeRigidBody(rigid);
       else if (world.getRigidBody(rigid.handle)) {  // what a world answers depends on the pairs before: each pair has a new one
