@@ -42,6 +42,7 @@ std::string file_of(const std::string& path) {
 
 void fill(bool& value) { value = true; }
 void fill(long& value) { value = 7; }
+void fill(unsigned& value) { value = 2; }  // a dimension: then points have no z in lines
 void fill(std::size_t& value) { value = 8; }
 void fill(double& value) { value = 0.1; }
 void fill(std::string& value) { value = "a text"; }

@@ -40,7 +40,7 @@ mpq_class height(const Point& n, const Polygon& a, const Polygon& b) {
   return *high - *low;
 }
 
-/// The squared depth of two polygons with interiors, negative or 0 if none: the least over both ways
+/// The squared depth of two polygons with interiors, at most 0 if none: the least over both ways
 /// across each line through two points of one body.
 mpq_class squared_depth_naive(const Polygon& a, const Polygon& b, Point& way) {
   std::optional<mpq_class> least;

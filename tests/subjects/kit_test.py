@@ -117,7 +117,8 @@ class Kit(unittest.TestCase):
         with unittest.mock.patch.dict(os.environ, {"FATHOM_KIT_PLANE": "1"}):
             for done in self.talk([{"type": "hello", "protocol": "fathom/subject/1"}]):
                 self.assertEqual(json.loads(done.stdout)["dimension"], 2)
-            for [apart, disc, other], _ in self.replies((triangle, triangle), (grown, grown), ({**triangle, "vertices": [[0, 0], [1, 0], [0, 1]]}, grown)):
+            corner = {**triangle, "vertices": [[0, 0], [1, 0], [0, 1]]}
+            for [apart, disc, other], _ in self.replies((triangle, triangle), (grown, grown), (corner, grown)):
                 self.assertEqual(apart["witness"], {"a": [1, 2.5], "b": [1, 2.5]})
                 self.assertEqual((disc["depth"], other["depth"]), (1 / 3, 1 / 3 + 3))
 

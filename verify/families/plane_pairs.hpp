@@ -24,7 +24,7 @@ PlanePair plane_random(Random& random, unsigned n);
 PlanePair plane_regular(Random& random, unsigned n);
 /// Rectangles with corners in {0..4}^2; n is ignored.
 PlanePair plane_boxes(Random& random, unsigned n);
-/// Polygons of which one side is 2^-3 to 2^-10 of the other.
+/// Polygons of which one side is 2^-3 to 2^-10 of the other; in binary64.
 PlanePair plane_thin(Random& random, unsigned n);
 /// A random pair, 10^3 to 9 10^6 away from the origin along each axis: binary32 is coarse there.
 PlanePair plane_far(Random& random, unsigned n);

@@ -212,7 +212,7 @@ struct Coordinates {
   unsigned dimension;
 };
 
-/// Returns the triple in a value, in the plane with z = 0; `name` is that of its field, for messages.
+/// Returns the triple in a value, in the plane with z = 0; `name` is its field's, for messages.
 Triple triple_of(const JsonValue& value, const char* name, Coordinates of) {
   Triple triple{};
   if (value.items().size() != of.dimension || !value.is_array())

@@ -381,8 +381,7 @@ def page(results, today):
                 for name, found in results["sets"].items()]
     return PAGE.format(made=made(results, results["sets"], today), time_out=results["time_out"], legend=LEGEND, best_legend=BEST_LEGEND,
                        subjects=subjects_table(results["subjects"]), real=table(*real_table(of_space(results))),
-                       best=table(*best_table(of_space(results))), sections="
-".join(sections),
+                       best=table(*best_table(of_space(results))), sections="\n".join(sections),
                        small_world=small_world_page(results), contacts=contacts_page(results, today))
 
 
