@@ -92,8 +92,13 @@ def run(options, end):
     """Asks until nothing is left (0), something failed (3) or the time is up (4)."""
     begun = time.monotonic()
     for adapter in options.adapters:
-        known = {shard["begin"] for shard in shards_of(options, adapter)}
-        begins = [begin for begin in range(options.first, end, options.shard * options.every) if begin not in known]
+        known = shards_of(options, adapter)
+        wanted = {begin: min(begin + options.shard, end) for begin in range(options.first, end, options.shard * options.every)}
+        if any(wanted.get(shard["begin"]) != shard["end"] for shard in known
+               if any(begin < shard["end"] and shard["begin"] < stop for begin, stop in wanted.items())):
+            survey.say(f"{adapter} was asked in other shards: go on with their size, or in another folder")
+            return 3
+        begins = [begin for begin in wanted if begin not in {shard["begin"] for shard in known}]
         started = time.monotonic()
         for done, begin in enumerate(begins):
             if options.until and time.monotonic() - begun > 60 * options.until:
