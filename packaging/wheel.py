@@ -40,7 +40,7 @@ def linked(file):
 
 
 def bundle(module, folder):
-    """Copies what a module is linked with into a folder, and lets it and them find each other there."""
+    """Copies what a module is linked with into a folder, and lets it and them find each other there. Returns them all."""
     names = {name: OWN_NAME.sub(r"\1-fathom\2", name) for name in linked(module)}
     folder.mkdir()
     files = [(module, f"$ORIGIN/../{folder.name}")]
@@ -53,7 +53,7 @@ def bundle(module, folder):
         for name in sorted(needed(file) & names.keys()):
             run("patchelf", "--replace-needed", name, names[name], file)
         run("patchelf", "--set-rpath", path, file)
-    return [file for file, _ in files], names
+    return [file for file, _ in files]
 
 
 def broken_limits(file):
@@ -101,7 +101,7 @@ def main():
         [info], [module] = tree.glob("*.dist-info"), tree.glob("fathom/*.so")
         run("strip", "--strip-unneeded", module)
         libraries = linked(module)
-        files, _ = bundle(module, tree / "fathom_depth.libs")
+        files = bundle(module, tree / "fathom_depth.libs")
         broken = [sentence for file in files for sentence in broken_limits(file)]
         if broken:
             sys.exit("wheel.py: " + "; ".join(broken))
