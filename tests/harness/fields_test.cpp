@@ -296,7 +296,12 @@ TEST(Fields, OfAHelloComeBackAndAreInTheSchema) {
   EXPECT_EQ(keys_of(schema["properties"]["conventions"]["properties"]), names_in(all.conventions));
   EXPECT_EQ(keys_of(schema["properties"]["capabilities"]["properties"]), keys_of(json["capabilities"]));
   EXPECT_EQ(keys_of(schema["properties"]["manifold"]["properties"]), names_in(*all.conventions.manifold));
-  EXPECT_EQ(hello_text(read_hello(text)), text) << "law: what was written is read as it was";
+  for (const unsigned dimension : {2U, 3U}) {
+    all.dimension = dimension;
+    all.wants_twist = dimension == 3;
+    all.shapes = {dimension == 3 ? "sphere" : "circle"};
+    EXPECT_EQ(hello_text(read_hello(hello_text(all))), hello_text(all)) << "law: what was written is read as it was";
+  }
   const std::string python = file_of("bindings/python/fathom/_questions.py");
   for (const std::string& name : names_in(all.conventions))  // the sign of a depth, beside the depth itself
     EXPECT_NE(python.find((name == "depth" ? "sign" : name) + ": "), std::string::npos)

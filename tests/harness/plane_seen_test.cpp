@@ -88,6 +88,7 @@ TEST(PlaneSeen, LinesHaveTwoCoordinates) {
   reply.contacts = {{{2, 3, 0}, 0.5}};
   outcome.judgement.emplace().findings = {Verdict::nan, Verdict::too_deep, Verdict::witness_off};
   const std::string line = outcome_line(outcome);
+  EXPECT_TRUE(begins_line(line, "case")) << line;
   EXPECT_NE(line.find(R"("dimension":2)"), line.npos) << line;
   EXPECT_NE(line.find(R"("direction":[1.0,0.0])"), line.npos) << line;
   EXPECT_NE(line.find(R"("position":[2.0,3.0])"), line.npos) << line;
@@ -109,7 +110,7 @@ TEST(PlaneSeen, VariantsStayInThePlane) {
         EXPECT_EQ(body->dimension, 2U) << pair.id << ' ' << variant.name;
         EXPECT_NO_THROW(static_cast<void>(in_plane(*body))) << pair.id << ' ' << variant.name;
       }
-      EXPECT_NE(digest_of(variant.seen), digest_of(pair)) << pair.id << ' ' << variant.name;
+      if (!variant.swapped) EXPECT_NE(digest_of(variant.seen), digest_of(pair)) << pair.id << ' ' << variant.name;
     }
   }
 }

@@ -98,9 +98,11 @@ TEST(JudgePlane, LikeOneEdgeAfterAnother) {
       const Judgement aside = judge(truth, testing::overlap(depth, Triple{-u[1], u[0], 0}));
       const mpq_class beside = height(other, a, b);
       EXPECT_EQ(aside.separating_distance_squared, beside * abs(beside) / across(other, other)) << pair.id;
-      EXPECT_EQ(judge(truth, testing::overlap(1.01 * depth, u)).verdict, Verdict::too_deep) << pair.id;
-      EXPECT_EQ(judge(truth, testing::overlap(0.99 * depth, u)).verdict, Verdict::too_shallow) << pair.id;
-      EXPECT_EQ(judge(truth, {}).verdict, Verdict::false_separation) << pair.id;
+      const Tolerance of_depth{mpq_class(1, 1000), 0, 0};
+      const auto wrong = [&](const Reply& reply) { return judge(truth, reply, {}, {}, of_depth).verdict; };
+      EXPECT_EQ(wrong(testing::overlap(1.01 * depth, u)), Verdict::too_deep) << pair.id;
+      EXPECT_EQ(wrong(testing::overlap(0.99 * depth, u)), Verdict::too_shallow) << pair.id;
+      EXPECT_EQ(wrong({}), Verdict::false_separation) << pair.id;
     }
   }
   EXPECT_GT(deep, 30U);

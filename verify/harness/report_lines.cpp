@@ -282,10 +282,10 @@ std::optional<Struct> read_line(std::string_view text, const char* type) try {
 Json without_z(const Read& json) {
   if (json.is_object()) {
     Json result = Json::object();
-    for (const auto& [key, value] : json.fields()) result[key] = without_z(*value);
+    for (std::size_t i = 0; i < json.items().size(); ++i) result[json.key(i)] = without_z(json.items()[i]);
     return result;
   }
-  if (!json.is_array()) return json.written();
+  if (!json.is_array()) return json.written(Read::Form::given);
   const auto is_number = [](const Read& item) { return item.is_number() || item.is_string(); };
   const bool is_point = json.items().size() == 3 && std::ranges::all_of(json.items(), is_number);
   Json result = Json::array();
@@ -318,8 +318,11 @@ std::string outcome_line(const Outcome& outcome) {
     if (outcome.dimension == 3) return text;
     Json result = Json::object();
     const Read json = text::parsed_json(text);
-    for (const auto& [key, value] : json.fields())
-      result[key] = key == "reply" || key == "contact_faults" ? without_z(*value) : value->written();
+    for (std::size_t i = 0; i < json.items().size(); ++i) {
+      const std::string_view key = json.key(i);
+      const Read& value = json.items()[i];
+      result[key] = key == "reply" || key == "contact_faults" ? without_z(value) : value.written(Read::Form::given);
+    }
     return result.text();
   };
   if (!outcome.reply || outcome.fit == 0) return written(line("case", outcome));
