@@ -100,8 +100,8 @@ TEST(JudgePlane, LikeOneEdgeAfterAnother) {
       EXPECT_EQ(aside.separating_distance_squared, beside * abs(beside) / across(other, other)) << pair.id;
       const Tolerance of_depth{mpq_class(1, 1000), 0, 0};
       const auto wrong = [&](const Reply& reply) { return judge(truth, reply, {}, {}, of_depth).verdict; };
-      EXPECT_EQ(wrong(testing::overlap(1.01 * depth, u)), Verdict::too_deep) << pair.id;
-      EXPECT_EQ(wrong(testing::overlap(0.99 * depth, u)), Verdict::too_shallow) << pair.id;
+      EXPECT_EQ(wrong(testing::overlap(1.01 * depth)), Verdict::too_deep) << pair.id;
+      EXPECT_EQ(wrong(testing::overlap(0.99 * depth)), Verdict::too_shallow) << pair.id;
       EXPECT_EQ(wrong({}), Verdict::false_separation) << pair.id;
     }
   }
