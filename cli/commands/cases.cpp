@@ -101,8 +101,8 @@ void print_case_of(const families::Family& family, std::uint64_t seed, const Fam
   else print_case(family.make(seed, size), std::move(source), "");
 }
 
-/// Returns the kind of families that the options choose: shapes, unions, bodies of the plane, or else
-/// polytopes.
+/// Returns the kind of families that the options choose: shapes, unions, bodies of the plane, or
+/// else polytopes.
 families::Kind asked_kind(const Given& given) {
   if (given.flag("--plane")) return families::Kind::plane;
   if (given.flag("--shapes")) return families::Kind::shapes;

@@ -174,8 +174,7 @@ void require_drawable(const Hulls& a, const Hulls& b) {
 
 }  // namespace
 
-UnionStages stages_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, Monitor* monitor,
-                      unsigned dimension) {
+UnionStages stages_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, Monitor* monitor, unsigned dimension) {
   const kernels::DefaultFloatEnvironment environment;
   if (!depth.complete) throw std::invalid_argument("the search was stopped before its end");
   const bool plane = dimension == 2;

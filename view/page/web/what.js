@@ -222,7 +222,7 @@ function sliderOf(selection, status) {
 
 function endOf(data, way) {
   const line = data.plane ? "line" : "plane";
-  if (way.contacts) return `where pieces touch; ${data.plane ? "lines: those" : "squares: planes"} between those`;
+  if (way.contacts) return `where pieces touch; ${data.plane ? "lines separate those" : "squares: planes between those"}`;
   return `at the ${line} that then separates both`;
 }
 
