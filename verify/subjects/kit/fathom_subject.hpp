@@ -104,7 +104,6 @@ using Solve = std::function<Reply(const Body& a, const Body& b)>;
 /// What the subject declares of itself.
 struct Subject {
   std::string name, version;  ///< of what is tested
-  int dimension = 3;          ///< 2 for bodies of the plane: then z is 0 everywhere, and not sent
   /// or "binary32": in which it computes. Bodies are rounded to it before they are sent
   std::string precision = "binary64";
   /// what it says of bodies that touch: "overlap", "separate"; "either" makes no promise
@@ -133,6 +132,7 @@ struct Subject {
                   ///< the case has them
   bool timed = true;   ///< whether answers say how many microseconds they took
   bool twist = false;  ///< whether bodies come with their twists, to be asked for the derivative
+  int dimension = 3;   ///< 2 for bodies of the plane: then z is 0 everywhere, and not sent
 };
 
 namespace details {
