@@ -72,7 +72,7 @@ async function choose(open, files) {
 const shownLines = (open) => open.evaluate(() => [...document.querySelectorAll('.verdict > summary')].map((e) => `${e.textContent}\n`).join(''));
 
 onPage('proved: the lines of every certificate of the tests', page, {}, async (open) => {
-  assert.ok(certificates.length > 45, `law: the certificates are found (${certificates.length})`);
+  assert.ok(certificates.length > 60, `law: the certificates are found (${certificates.length})`);
   await choose(open, certificates);
   assert.equal(await shownLines(open), linesOf(certificates), 'law: the lines are those of the program');
   await judged(open, () => open.check('#width'));
@@ -123,7 +123,7 @@ onPage('proved: a file that is dropped, a long one, and one that replaces it', p
 
 test('proved: the theorems that the page names are there', () => {
   const named = [...readFileSync(join(root, 'proofs/coq/page/words.js'), 'utf8').matchAll(/\['(\w+)', '(\S+\.v)', '(\w+)'\]/g)];
-  assert.equal(named.length, 7, 'law: the theorems are found');
+  assert.equal(named.length, 10, 'law: the theorems are found');
   for (const [, theorem, file, definition] of named) {
     assert.match(readFileSync(join(root, 'proofs/coq', file), 'utf8'), new RegExp(`^Theorem ${theorem}\\b`, 'm'), `law: ${theorem} is in ${file}`);
     assert.match(readFileSync(join(root, 'proofs/coq/printed.v'), 'utf8'), new RegExp(`^Definition ${definition}\\b`, 'm'), `law: ${definition}`);
@@ -156,4 +156,26 @@ onPage('proved: a picture that turns; the page prints, and sends nothing', page,
   const policy = await open.evaluate(() => document.querySelector('meta[http-equiv="Content-Security-Policy"]').content);
   assert.match(policy, /^default-src 'none';/, 'law: the policy allows no connection');
   assert.doesNotMatch(policy, /unsafe|https?:|connect-src/, 'law: and nothing that undoes this');
+});
+
+onPage('proved: bodies of the plane are seen from above, and do not turn', page, {}, async (open) => {
+  await choose(open, [certificate('squares')]);
+  await open.locator('.verdict svg').waitFor();
+  const text = await open.locator('.verdict').textContent();
+  assert.match(text, /bodies of the plane.*plane_verdict_sound.*y up/s, 'law: the words and the theorem are those of the plane');
+  const boxes = () => open.evaluate(() => ['a', 'b'].map((name) => {
+    const { x, y, width, height } = document.querySelector(`.outline.of-${name}`).getBBox();
+    return { x, y, width, height };
+  }));
+  const near = (x, y) => Math.abs(x - y) < 1e-3, [a, b] = await boxes();
+  assert.ok(near(a.width, a.height) && near(b.width, b.height), 'law: squares are squares');
+  assert.ok(near(b.x - a.x, a.width / 2) && near(a.y, b.y), 'law: B is half a side to the right');
+  assert.equal(await open.locator('.verdict svg[tabindex]').count(), 0, 'law: no key turns them');
+
+  await choose(open, [certificate('half_plane_apart')]);
+  await open.locator('.verdict svg').waitFor();
+  const inside = await open.evaluate(() => [[-1, 1], [0, 0]].map(([x, y]) => document.querySelector('.outline.of-a').isPointInFill({ x, y })));
+  assert.deepEqual(inside, [true, false], 'law: the half-plane fills the lower left corner, and its boundary is in the picture');
+  const [, { x, y, width, height }] = await boxes();
+  assert.ok(x > -1.05 && y > -1.05 && x + width < 1.05 && y + height < 1.05, 'law: the body beside it is in the picture');
 });

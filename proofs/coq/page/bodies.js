@@ -31,20 +31,23 @@ function valueOf(text) {
   return Number(above.slice(0, Math.max(0, above.length - long)) || 0) / Number(below.slice(0, Math.max(0, below.length - long)) || 0);
 }
 
-function vectorsOf(words) {
+/** Vectors of space; those of the plane have z = 0. */
+function vectorsOf(words, dimension) {
   const values = words.map(valueOf), vectors = [];
-  for (let i = 0; i + 2 < values.length; i += 3) vectors.push(values.slice(i, i + 3));
+  for (let i = 0; i + dimension <= values.length; i += dimension) vectors.push([...values.slice(i, i + dimension), 0].slice(0, 3));
   return vectors;
 }
 
 /**
- * {a, b}: of each body its parts, and its edges if it is given by a mesh. A part is convex: {terms, radius}, the sum of terms, each the hull
- * of atoms [center, ...axes]; or {plane: [normal, offset]}. A certificate of one solid has no b.
+ * {a, b, flat}: of each body its parts, and its edges if it is given by a mesh. A part is convex: {terms, radius}, the sum of terms, each the
+ * hull of atoms [center, ...axes]; or {plane: [normal, offset]}. A certificate of one solid has no b. Bodies of the plane are flat.
  */
 function bodiesOf(lines) {
-  const bodies = { a: { parts: [], edges: [] }, b: { parts: [], edges: [] } };
+  const flat = lines.some((line) => line.startsWith('plane ')), dimension = flat ? 2 : 3;
+  const bodies = { a: { parts: [], edges: [] }, b: { parts: [], edges: [] }, flat };
   let at = 0;
-  const atoms = (count) => lines.slice(at + 1, at += 1 + count).map((line) => vectorsOf(line.split(' ').filter((word) => !/^[a-z]/.test(word))));
+  const atoms = (count) => lines.slice(at + 1, at += 1 + count).map((line) =>
+    vectorsOf(line.split(' ').filter((word) => !/^[a-z]/.test(word)), dimension));
   while (at < lines.length && !lines[at].startsWith('claim ')) {
     const [word, ...rest] = lines[at].split(' '), [, what, whose] = /^(?:(\w+)_)?([ab])$/.exec(word) ?? [];
     const body = bodies[whose], count = Number(rest[0]);
@@ -58,7 +61,7 @@ function bodiesOf(lines) {
       while (terms.length < count && lines[at]?.startsWith('term ')) terms.push(atoms(Number(lines[at].split(' ')[1])));
       body.parts.push({ terms, radius: 0 });
     } else if (body && what === 'halfspace') {
-      body.parts.push({ plane: [vectorsOf(rest)[0], valueOf(rest[3])], terms: [], radius: 0 });
+      body.parts.push({ plane: [vectorsOf(rest, dimension)[0], valueOf(rest[dimension])], terms: [], radius: 0 });
       ++at;
     } else if (body && what === 'radius') {
       body.parts.at(-1).radius = valueOf(rest[0]);

@@ -61,12 +61,13 @@ async function explained(file, verdicts, k, width) {
     parts.push(made('p', { class: 'soft' }, 'Proved by ', made('code', {}, name), ` (proofs/coq/${where}), where `, made('code', {}, definition),
       ' (proofs/coq/printed.v) defines what the line means, for the points below.'));
   }
-  const bodies = bodyLines(certificatesOf(await file.text(), verdicts)[k]);
-  parts.push(made('figure', {}, pictureOf(bodiesOf(bodies)), made('figcaption', { class: 'soft' }, made('span', { class: 'key-a' }, 'A'), ' and ',
-    made('span', { class: 'key-b' }, 'B'), ', drawn in binary64: to recognise them, not to compare. Dragging and arrow keys turn them.')));
-  const rest = bodies.length - mostShown;
+  const lines = bodyLines(certificatesOf(await file.text(), verdicts)[k]), bodies = bodiesOf(lines);
+  parts.push(made('figure', {}, pictureOf(bodies), made('figcaption', { class: 'soft' }, made('span', { class: 'key-a' }, 'A'), ' and ',
+    made('span', { class: 'key-b' }, 'B'), ', drawn in binary64: to recognise them, not to compare. ',
+    bodies.flat ? 'x goes to the right, y up.' : 'Dragging and arrow keys turn them.')));
+  const rest = lines.length - mostShown;
   parts.push(made('details', {}, made('summary', {}, 'The bodies as the file has them: compare them with your own'),
-    made('pre', { tabindex: '0' }, bodies.slice(0, mostShown).join('\n') + (rest > 0 ? `\n… and ${rest} lines more` : ''))));
+    made('pre', { tabindex: '0' }, lines.slice(0, mostShown).join('\n') + (rest > 0 ? `\n… and ${rest} lines more` : ''))));
   return parts;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A picture of two bodies that can be turned: outlines of their convex parts, and the edges of those with few corners. In binary64; nothing
-// here decides anything but pixels.
+// A picture of two bodies: outlines of their convex parts, and the edges of those with few corners. It can be turned; bodies of the plane are
+// seen from above. In binary64; nothing here decides anything but pixels.
 
 const dot3 = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const minus3 = (a, b) => a.map((x, i) => x - b[i]);
@@ -67,7 +67,7 @@ function hullEdges(points) {
 
 const axes3 = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
-/** The middle and half of the extent of all that is bounded. */
+/** The middle and half of the extent of all that is bounded, and of the nearest points of the rest. */
 function extentOf(bodies) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   const note = (p) => p.forEach((x, i) => {
@@ -79,29 +79,31 @@ function extentOf(bodies) {
     for (const part of parts)
       if (!part.plane) axes3.forEach((axis) => [1, -1].forEach((s) => note(farthest(part, axis.map((x) => s * x)))));
   }
-  if (!low.every(Number.isFinite) || !high.every(Number.isFinite)) return { middle: [0, 0, 0], half: 1 };
-  return { middle: low.map((l, i) => (l + high[i]) / 2), half: Math.hypot(...minus3(high, low)) / 2 || 1 };
+  const extent = () => ![...low, ...high].every(Number.isFinite) ? { middle: [0, 0, 0], half: 1 }
+    : { middle: low.map((l, i) => (l + high[i]) / 2), half: Math.hypot(...minus3(high, low)) / 2 || 1 };
+  const { middle } = extent();
+  for (const { parts } of bodies) parts.forEach(({ plane }) => plane && note(footOf(plane, middle)));
+  return extent();
 }
 
 const mostWork = 4e6;  // for edges: the cubes of the numbers of corners
 
-/** An SVG element of {a, b}, as of bodiesOf, which turns by dragging and by arrow keys. */
-function pictureOf({ a, b }) {
+/** An SVG element of {a, b, flat}, as of bodiesOf, which turns by dragging and by arrow keys unless it is flat. */
+function pictureOf({ a, b, flat }) {
   const named = [['a', a], ['b', b]], { middle, half } = extentOf([a, b]);
   let left = mostWork;
   for (const [, body] of named)
     for (const part of body.parts) {
-      const corners = isPolytope(part) ? part.terms[0].map(([p]) => p) : [];
+      const corners = isPolytope(part) && !flat ? part.terms[0].map(([p]) => p) : [];
       left -= corners.length ** 3;
       if (corners.length && left > 0) body.edges.push(...hullEdges(corners));
     }
   const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
   svg.setAttribute('viewBox', '-1.05 -1.05 2.1 2.1');
-  svg.setAttribute('class', 'bodies');
+  svg.setAttribute('class', flat ? 'bodies' : 'bodies turning');
   svg.setAttribute('role', 'img');
-  svg.setAttribute('tabindex', '0');
-  svg.setAttribute('aria-label', 'Body A and body B; arrow keys turn the picture');
-  let turn = 0.5, tilt = 0.4;
+  svg.setAttribute('aria-label', `Body A and body B${flat ? ', bodies of the plane' : '; arrow keys turn the picture'}`);
+  let [turn, tilt] = flat ? [0, Math.PI / 2] : [0.5, 0.4];
   const draw = () => {
     const right = [Math.cos(turn), Math.sin(turn), 0];
     const up = [-Math.sin(turn) * Math.sin(tilt), Math.cos(turn) * Math.sin(tilt), Math.cos(tilt)];
@@ -112,7 +114,7 @@ function pictureOf({ a, b }) {
     const path = (points, ring) => points.map(([x, y], i) => `${i ? 'L' : 'M'}${x.toFixed(4)} ${y.toFixed(4)}`).join('') + (ring ? 'Z' : '');
     const outline = (part) => {
       if (isPolytope(part)) return hullOf(part.terms[0].map(([p]) => seen(p)));
-      if (part.plane) return planeAt(part.plane, middle, half).map(seen);
+      if (part.plane) return planeAt(part.plane, middle, half, flat).map(seen);
       return Array.from({ length: 180 }, (_, k) => {
         const t = k * Math.PI / 90;
         return seen(farthest(part, plus3(right.map((x) => Math.cos(t) * x), up, Math.sin(t))));
@@ -129,6 +131,9 @@ function pictureOf({ a, b }) {
       return [...parts.map((part) => element('outline', path(outline(part), true))), ...(edges.length ? [element('edges', all(edges))] : [])];
     }));
   };
+  draw();
+  if (flat) return svg;
+  svg.setAttribute('tabindex', '0');
   const turned = (x, y) => {
     turn -= x;
     tilt = Math.max(-1.5, Math.min(1.5, tilt + y));
@@ -142,14 +147,16 @@ function pictureOf({ a, b }) {
     event.preventDefault();
     turned(...keys[event.key]);
   });
-  draw();
   return svg;
 }
 
-/** A square of the boundary of a half-space, near the rest. */
-function planeAt([normal, offset], middle, half) {
-  const n = unit3(normal), square = dot3(normal, normal) || 1;
-  const foot = plus3(middle, normal, (offset - dot3(normal, middle)) / square);
+/** The point of the boundary of a half-space that is nearest to another. */
+const footOf = ([normal, offset], p) => plus3(p, normal, (offset - dot3(normal, p)) / (dot3(normal, normal) || 1));
+
+/** A square of the boundary of a half-space, near the rest; of a half-plane, what of it can be seen. */
+function planeAt(plane, middle, half, flat) {
+  const n = unit3(plane[0]), foot = footOf(plane, middle), corners = [[1, 1], [-1, 1], [-1, -1], [1, -1]];
   const f = unit3(cross3(n, Math.abs(n[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0])), g = cross3(n, f);
-  return [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([s, t]) => plus3(plus3(foot, f, s * half), g, t * half));
+  if (flat) return corners.map(([s, t]) => plus3(plus3(foot, n, (s - 1) * 2 * half), g, t * 4 * half));
+  return corners.map(([s, t]) => plus3(plus3(foot, f, s * half), g, t * half));
 }

@@ -13,6 +13,12 @@ const provedWidth = {
   2: ['signed_verdict_width', 'soundness/signed_sound.v', 'says_width'],
 };
 
+const provedPlane = {
+  1: ['plane_verdict_sound', 'soundness/plane_sound.v', 'says_plane'],
+  2: ['plane_signed_verdict_sound', 'soundness/plane_sound.v', 'says_plane_signed'],
+  3: ['plane_union_verdict_sound', 'soundness/plane_sound.v', 'says_plane_union'],
+};
+
 const signs = {
   penetrating: 'It is positive: the bodies overlap, and it is the length of a shortest translation that ends this.',
   touching: 'It is 0: the bodies touch.',
@@ -23,6 +29,7 @@ const ways = (k) => k === '1' ? 'There is exactly one such translation.' : `Ther
 
 /** Each row: what the line may say, and the sentences about it. */
 const sayings = [
+  [/ dimension=2$/, () => ['A and B are bodies of the plane; translations, distances, directions and interiors are those of the plane.']],
   [/^penetrating depth_squared=(\S+)(?: optima=(\S+))?/, (q, k) => [
     `A and B overlap, and the square of their penetration depth is ${q}: moved by less, in whatever direction, A still overlaps B; ` +
       'some translation of that length ends this.', k && ways(k)]],
@@ -51,7 +58,7 @@ const sayings = [
 
 // A line with anything more in it gets no words: they might leave out what matters.
 const whole = new RegExp('^(?:(?:penetrating|touching|disjoint|undecided) (?:depth_squared|distance_squared|signed_depth)(?:_in)?=\\S+' +
-  '(?: optima=\\S+)?(?: cone=\\S+)?(?: pieces=\\S+| patches=\\S+(?: rates=\\S+)?)?|solid triangles=\\S+ pieces=\\S+)$');
+  '(?: optima=\\S+)?(?: cone=\\S+)?(?:(?: pieces=\\S+)?(?: dimension=2)?| patches=\\S+(?: rates=\\S+)?)|solid triangles=\\S+ pieces=\\S+)$');
 
 /** The format that a line is about, by what it says. */
 function formatOf(said) {
@@ -69,7 +76,7 @@ function inWords(said, width) {
   });
   const format = formatOf(said), known = sentences.length > 0;
   if (!known) sentences.push('This page has no words of its own for that line.');
-  const asWidth = known && width && provedWidth[format];
+  const inPlane = said.endsWith(' dimension=2'), asWidth = known && width && !inPlane && provedWidth[format];
   if (asWidth) sentences.push('B is A again, so this depth is the width of A: the least distance of two parallel planes with A between them.');
-  return { sentences, theorem: known ? asWidth || proved[format] : null };
+  return { sentences, theorem: known ? asWidth || (inPlane ? provedPlane : proved)[format] : null };
 }
