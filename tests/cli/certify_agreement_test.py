@@ -36,11 +36,11 @@ class Agreement(CertifyTest):
     def test_replies(self):
         for changes in ({"overlap": False}, {"overlap": "true"}, {"overlap": 1}, {"overlap": None}, {"overlap": "1/1"}, {"id": 7},
                         {"id": 7.0}, {"id": 7.5}, {"id": None}, {"id": True}, {"id": ["7"]}, {"type": "Reply"}, {"type": None},
-                        {"more": None}, {"direction": [1, "0", "nan"]}, {"direction": [1, 2]}, {"direction": [1, 2, None]},
-                        {"direction": None}, {"direction": []}, {"direction": "1,2,3"}, {"witness": None}, {"witness": {}},
+                        {"more": None}, {"direction": [1, "0", "nan"]}, {"direction": [1]}, {"direction": [1, 2, 3, 4]},
+                        {"direction": [1, 2, None]}, {"direction": None}, {"direction": []}, {"direction": "1,2,3"}, {"witness": None}, {"witness": {}},
                         {"witness": {"a": None}}, {"witness": {"a": [1, 2, 3]}}, {"witness": {"a": [1, 2, 3], "b": "x"}}, {"witness": [1]},
                         {"hull": {}}, {"hull": {"a": [[1, 2, 3]]}}, {"hull": {"a": [["0x1p3", "2", .5], [1, 2, 3]], "b": [[0, 0, 0]]}},
-                        {"hull": {"a": []}}, {"hull": {"b": [[1, 2]]}}, {"hull": {"a": [[1, 2, "nan"]]}}, {"hull": {"b": [[1, 2, None]]}},
+                        {"hull": {"a": []}}, {"hull": {"b": [[1]]}}, {"hull": {"a": [[1, 2, "nan"]]}}, {"hull": {"b": [[1, 2, None]]}},
                         {"hull": {"a": [[1, "inf", 3]]}}, {"hull": None}, {"hull": []}, {"hull": {"a": None}}, {"hull": {"a": 7}},
                         {"hull": {"a": ["123"]}}, {"hull": {"b": [7]}}, {"microseconds": 3.5}, {"microseconds": "soon"},
                         {"microseconds": None}, {"microseconds": -1}, {"distance": "inf"}, {"distance": None}, {"contacts": None},
@@ -51,6 +51,8 @@ class Agreement(CertifyTest):
                         {"unsupported": "x"}, {"failed": "x"}, {"unsupported": None}, {"failed": 7}):
             self.check("reply", {**self.REPLY, **changes})
             self.check("reply", {**self.REPLY, "overlap": False, **changes})
+        for plane in ({"direction": [1, 2]}, {"hull": {"b": [[1, 2]]}}):  # one line does not say of what the subject is
+            self.assertFalse(self.takes(json.dumps({**self.REPLY, **plane})))
         nothing = {"type": "reply", "id": "7"}
         self.check("reply", nothing)
         for name in ("unsupported", "failed"):

@@ -63,7 +63,7 @@ class Bash(CliTest):
                 self.assertEqual(self.completed(f"fathom {name} -"), options(self.answer("help", *name.split())), name)
 
     def test_values_from_the_tables_of_the_program(self):
-        lists = [self.answer("cases", "--list", *kind) for kind in ([], ["--shapes"], ["--unions"])]
+        lists = [self.answer("cases", "--list", *kind) for kind in ([], ["--shapes"], ["--unions"], ["--plane"])]
         families = [line.split()[0] for text in lists for line in text.splitlines()]
         adapters = [line.split()[0] for line in self.answer("certify", "--list-adapters").splitlines()]
         self.assertEqual(self.completed("fathom cases --family "), ["all", *families])

@@ -299,8 +299,8 @@ std::array<double, n> numbers(const Json& from) {
 }
 
 /// A point of the plane gets z = 0.
-inline Vector point(const Json& from) {
-  if (from.items.size() != 2) return numbers<3>(from);
+inline Vector point(const Json& from, int dimension) {
+  if (dimension != 2) return numbers<3>(from);
   const std::array<double, 2> p = numbers<2>(from);
   return {p[0], p[1], 0};
 }
@@ -387,14 +387,14 @@ inline void check_faces(const Body& body, bool in_plane) {
                                            : "a face needs three vertices of its body, or more");
 }
 
-inline Body body_of(const Json& from, char axis = 0, int dimension = 3) {
+inline Body body_of(const Json& from, char axis, int dimension) {
   Body body;
   bool has_axis = false, has_pose = false;
   for (const auto& [name, value] : from.members) {
     if (name == "pieces") {
-      for (const Json& piece : value.items) body.pieces.push_back(body_of(piece).vertices);
+      for (const Json& piece : value.items) body.pieces.push_back(body_of(piece, 0, dimension).vertices);
     } else if (name == "vertices") {
-      for (const Json& vertex : value.items) body.vertices.push_back(point(vertex));
+      for (const Json& vertex : value.items) body.vertices.push_back(point(vertex, dimension));
     } else if (name == "faces") {
       for (const Json& face : value.items) {
         body.faces.emplace_back();

@@ -89,13 +89,14 @@ fn quoted(text: &str) -> String {
     format!("{:?}", text.chars().take(1000).map(|c| if (' '..='~').contains(&c) { c } else { '?' }).collect::<String>())
 }
 
-fn body<'a>(message: &'a Json, name: &str) -> Option<Body<'a>> {
+fn body<'a>(message: &'a Json, name: &str, dimension: usize) -> Option<Body<'a>> {
     let fields = message.get(name)?;
     let point = |v: &Json| -> Option<[f64; 3]> {
         let mut numbers: Vec<f64> = v.items().iter().filter_map(Json::number).collect();
-        if numbers.len() == 2 {
-            numbers.push(0.0);
+        if numbers.len() != dimension {
+            return None;
         }
+        numbers.resize(3, 0.0);
         numbers.try_into().ok()
     };
     let twist = message.get("twist").and_then(|of| of.get(name)).and_then(|of| Some([point(of.get("v")?)?, point(of.get("w")?)?]));
@@ -141,7 +142,7 @@ pub fn run(declared: &str, solve: impl Fn(&Body, &Body) -> Result<Reply, String>
         let said = match message.get("type").map(Json::text) {
             Some("hello") => format!("{{\"type\":\"hello\",\"protocol\":\"fathom/subject/1\",{}}}", declared),
             Some("run") => {
-                let bodies = body(&message, "a").zip(body(&message, "b"));
+                let bodies = body(&message, "a", dimension).zip(body(&message, "b", dimension));
                 let (a, b) = bodies.unwrap_or_else(|| panic!("bodies without vertices: {}", line));
                 format!("{{\"type\":\"reply\",\"id\":\"{}\",{}}}", message.get("id").map_or("", Json::text), answer(&solve, a, b, dimension))
             }
