@@ -57,7 +57,8 @@ constexpr Example generate_examples[] = {
      "four processes, which take shard after shard; Open MPI wants --oversubscribe for more processes than cores, and "
      "--allow-run-as-root of root"},
     {"fathom golden generate --level P0 --out shapes",
-     "spheres, capsules, cylinders and their like; U0: unions of convex pieces; C0: contact patches and gradients"},
+     "spheres, capsules, cylinders and their like; U0: unions of convex pieces; C0: contact patches and gradients; "
+     "F0: bodies of the plane"},
     {"zstd -dc data/golden-L0-*.jsonl.zst | fathom depth --json -", "the records are cases for every other command"},
 };
 

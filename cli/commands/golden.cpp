@@ -34,7 +34,7 @@ namespace {
 // ---- the options ----
 
 std::string wrong_level(const std::string& text) {
-  return unless(golden::find_level(text).has_value(), "L0, L1, L2, L3, P0, P1, U0 or C0", text);
+  return unless(golden::find_level(text).has_value(), "L0, L1, L2, L3, P0, P1, U0, C0 or F0", text);
 }
 std::string wrong_part(const std::string& text) {
   return unless(typed_part(text).has_value(), "i/n with 1 <= i <= n", text);
@@ -94,8 +94,8 @@ std::vector<Option> make_table() {
        "L0, L1, L2 or L3, of polytopes: hundreds of records, about ten thousand,\nover a hundred thousand, about ten "
        "million; P0 or P1, of "
        "shapes: about a\nthousand, about ten thousand; each holds the shards of those below it;\nU0, of unions of "
-       "convex pieces: hundreds; C0, with where the bodies touch: hundreds",
-       {wrong_level, {"L0", "L1", "L2", "L3", "P0", "P1", "U0", "C0"}},
+       "convex pieces: hundreds; C0, with where the bodies touch: hundreds;\nF0, of bodies of the plane: hundreds",
+       {wrong_level, {"L0", "L1", "L2", "L3", "P0", "P1", "U0", "C0", "F0"}},
        FileUse::none,
        Repeats::never,
        true},

@@ -243,11 +243,7 @@ BodyFacts facts_of(const Body& a, const Body& b, const Answer& answer) {
 
 std::string certificate_text(const Body& a, const Body& b, const Answer& answer, std::string_view id,
                              Monitor* monitor) {
-  if (answer.prisms) {
-    const answer::Prisms prisms = answer::prisms_of(a, b);
-    const std::string text = certificate_text(prisms.a, prisms.b, *answer.prisms, id, monitor);
-    return certificate::in_plane(text, answer::proving_height(prisms, *answer.prisms), prisms.height > 0);
-  }
+  if (answer.prisms) return answer::certificate_in_plane(a, b, answer, id, ShapeFormat::shortest, monitor);
   return std::visit(
       ByKind{[&](const Depth& depth) { return certificate_text(a, b, depth, id, monitor); },
              [&](const SignedDepth& shapes) {

@@ -14,6 +14,7 @@
 #include "fathom/plane.hpp"
 #include "fathom/union.hpp"
 #include "kernels/number/rational.hpp"
+#include "reference/certificate/certificate.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/shapes/core.hpp"
 
@@ -95,10 +96,7 @@ std::vector<std::uint32_t> mapped(const std::vector<std::uint32_t>& ids, std::si
 
 Contact mapped(const Contact& contact, std::size_t count_a, std::size_t count_b) {
   Contact result{{}, mapped(contact.a, count_a), mapped(contact.b, count_b)};
-  const bool edge_a = result.a.size() > 1, edge_b = result.b.size() > 1;
-  result.kind = edge_a   ? edge_b ? ContactKind::edge_edge : ContactKind::edge_vertex
-                : edge_b ? ContactKind::vertex_edge
-                         : ContactKind::vertex_vertex;
+  result.kind = kind_in_plane(result.a.size() > 1, result.b.size() > 1);
   return result;
 }
 
@@ -134,15 +132,9 @@ Depth mapped(const Body& a, const Body& b, const Depth& of_prisms) {
   return depth;
 }
 
-/// All directions of the plane are those of a plane in space.
-OptimalCone mapped(OptimalCone cone) {
-  if (cone.lineality == Lineality::plane) cone = {Lineality::all, {}, {}};
-  return cone;
-}
-
 SignedDepth mapped(const Body& a, const Body& b, SignedDepth depth) {
   if (const Depth* const cores = std::get_if<Depth>(&depth.core)) depth.core = mapped(a, b, *cores);
-  if (depth.cone) depth.cone = mapped(*std::move(depth.cone));
+  if (depth.cone) depth.cone = cone_in_plane(*std::move(depth.cone));
   if (depth.touching) depth.touching = mapped(*depth.touching, count_of(a), count_of(b));
   return depth;
 }
@@ -195,6 +187,21 @@ mpq_class proving_height(const Prisms& prisms, const Answer& of_prisms) {
   if (depth == nullptr) return height;
   while (height <= depth->radius_a + depth->radius_b || compare(*depth->exact(), height) >= 0) height *= 2;
   return height;
+}
+
+std::string certificate_in_plane(const Body& a, const Body& b, const Answer& answer, std::string_view id,
+                                 ShapeFormat format, Monitor* monitor) {
+  const Prisms prisms = prisms_of(a, b);
+  const auto* const shapes = std::get_if<SignedDepth>(&answer.prisms->found);
+  const std::string text =
+      shapes ? certificate_text(files::shape_of(prisms.a), files::shape_of(prisms.b), *shapes, id, format, monitor)
+             : certificate_text(prisms.a, prisms.b, *answer.prisms, id, monitor);
+  return certificate::in_plane(text, proving_height(prisms, *answer.prisms), prisms.height > 0);
+}
+
+OptimalCone cone_in_plane(OptimalCone cone) {
+  if (cone.lineality == Lineality::plane) cone = {Lineality::all, {}, {}};
+  return cone;
 }
 
 Answer in_plane(const Body& a, const Body& b, Answer of_prisms) {

@@ -9,8 +9,12 @@
 
 #include <gmpxx.h>
 
+#include <string>
+#include <string_view>
+
 #include "fathom/answer.hpp"
 #include "fathom/body.hpp"
+#include "fathom/certificate.hpp"
 
 namespace fathom::answer {
 
@@ -30,6 +34,21 @@ Prisms prisms_of(const Body& a, const Body& b);
 /// A height of which certificates prove that nothing is gained by leaving the plane: above the
 /// signed depth, and the radii.
 mpq_class proving_height(const Prisms& prisms, const Answer& of_prisms);
+
+/// The certificate of an answer about two bodies of the plane, those of shapes in this format.
+/// Throws as fathom::certificate_text does.
+std::string certificate_in_plane(const Body& a, const Body& b, const Answer& answer, std::string_view id,
+                                 ShapeFormat format, Monitor* monitor);
+
+/// What a cone of directions in space that are optimal for raised bodies is in the plane: all
+/// directions of the plane are those of a plane in space.
+OptimalCone cone_in_plane(OptimalCone cone);
+
+/// The kind of the contact of an edge or a vertex of A with one of B.
+constexpr ContactKind kind_in_plane(bool edge_a, bool edge_b) {
+  if (edge_a) return edge_b ? ContactKind::edge_edge : ContactKind::edge_vertex;
+  return edge_b ? ContactKind::vertex_edge : ContactKind::vertex_vertex;
+}
 
 /// What the answer about the prisms says of the bodies.
 Answer in_plane(const Body& a, const Body& b, Answer of_prisms);

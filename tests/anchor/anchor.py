@@ -4,7 +4,7 @@
 anchor.txt.
 
 It runs every command over all families, the catalogues, shapes, unions and the files in tests/data: as text, as JSON,
-with each option that changes what is printed; it makes the golden data L0, P0, U0 and C0, reads the help pages, and has
+with each option that changes what is printed; it makes the golden data L0, P0, U0, C0 and F0, reads the help pages, and has
 subjects judged that lie. (What is refused stands in tests/cli/refusals.jsonl.) A row of the record is a command and what
 it was asked: its name, how many lines came out, and their SHA-256, shortened. What came out is the exit code, stdout,
 stderr and all files that were written.
@@ -287,7 +287,7 @@ class Anchor:
             self.ran(f"certify diff {form}".strip(), f"certify diff {form}honest.jsonl too-deep.jsonl".split())
 
     def golden(self):
-        for level in ("L0", "P0", "U0", "C0"):
+        for level in ("L0", "P0", "U0", "C0", "F0"):
             if not self.asked(f"golden {level}"):
                 continue
             code, stdout, stderr = self.run(["golden", "generate", "--level", level, "--out", level, "--jobs", self.threads])

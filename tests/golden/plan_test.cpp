@@ -107,6 +107,22 @@ TEST(Plan, TheLevelOfUnionsStandsAlone) {
   EXPECT_LT(recipes(u0).size(), 200u);
 }
 
+TEST(Plan, TheLevelOfThePlaneHasItsFamiliesAlone) {
+  const auto f0 = plan(Level::F0, 1);
+  EXPECT_GT(f0.size(), 1u) << "so that a run can be stopped between shards";
+  std::set<std::string> families, ids;
+  for (const ShardPlan& shard : f0) EXPECT_EQ(shard.level, Level::F0);
+  for (const Recipe& recipe : recipes(f0)) {
+    EXPECT_EQ(recipe.source, Source::plane_family);
+    EXPECT_EQ(kind_of(recipe.source), Kind::plane);
+    EXPECT_TRUE(ids.insert(id_of(recipe)).second) << id_of(recipe);
+    families.insert(recipe.name);
+  }
+  EXPECT_EQ(families.size(), families::families(families::Kind::plane).size());
+  EXPECT_GT(ids.size(), 200u);
+  EXPECT_LT(ids.size(), 400u);
+}
+
 TEST(Plan, SizesAndCountsAreThoseOfTheLevel) {
   const auto count = [](Level level) { return recipes(plan(level, 1)).size(); };
   EXPECT_GT(count(Level::L0), 300u);
@@ -182,11 +198,13 @@ TEST(Plan, FamiliesThatIgnoreTheSeedHaveOneCaseOfASize) {
 }
 
 TEST(Plan, LevelsHaveNames) {
-  for (const Level level : {Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1, Level::U0, Level::C0})
+  for (const Level level : {Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1, Level::U0, Level::C0,
+                            Level::F0})
     EXPECT_EQ(find_level(name_of(level)), level);
   EXPECT_FALSE(find_level("L4"));
   EXPECT_FALSE(find_level("P2"));
   EXPECT_FALSE(find_level("U1"));
+  EXPECT_FALSE(find_level("F1"));
   EXPECT_FALSE(find_level(""));
 }
 
@@ -198,9 +216,10 @@ TEST(Recipe, IdsSayWhereTheCaseIsFrom) {
   EXPECT_EQ(id_of({Source::shape_catalogue, "cone_on_plane"}), "shape_catalogue-cone_on_plane");
   EXPECT_EQ(id_of({Source::union_family, "combs", 4, 12}, Form::binary64), "combs-n4-s12.b64");
   EXPECT_EQ(id_of({Source::union_catalogue, "slot_filled"}), "union_catalogue-slot_filled");
+  EXPECT_EQ(id_of({Source::plane_family, "plane_far", 7, 12}, Form::binary32), "plane_far-n7-s12.b32");
   EXPECT_EQ(cases_of({Source::real, "fcl-545"}).front().id, "real-fcl-545");
   for (const Source source : {Source::family, Source::catalogue, Source::real, Source::shape_family,
-                              Source::shape_catalogue, Source::union_family, Source::union_catalogue})
+                              Source::shape_catalogue, Source::union_family, Source::union_catalogue, Source::plane_family})
     EXPECT_THROW(base_bodies({source, "no_such_thing", 8, 1}), std::invalid_argument);
 }
 

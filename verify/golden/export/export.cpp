@@ -34,16 +34,18 @@ Dataset dataset_in(const fs::path& folder) {
   const fs::path page = folder / dataset_name;
   std::optional<Dataset> dataset = parse_dataset(read_small_file(page));
   if (!dataset) throw FileError(page.string() + ": this is not the page of a release");
-  if (const Level level = dataset->level; !of_polytopes(level) && level != Level::C0)
+  if (const Level level = dataset->level; !of_polytopes(level) && level != Level::C0 && level != Level::F0)
     throw FolderError(
-        fmt::format("{} holds {}, and a case of an export is two lists of points: export a level of L0 to L3, or C0",
+        fmt::format("{} holds {}, and a case of an export is two lists of points: export a level of L0 to L3, C0 or F0",
                     folder.string(), level == Level::U0 ? "unions" : "shapes"));
   return *std::move(dataset);
 }
 
-/// Returns whether the record is of shapes. Level C0 has some; exports skip them without counting.
+/// Returns whether the record is of shapes, or of the plane with a radius. Levels C0 and F0 have
+/// some; exports skip them without counting.
 bool is_of_shapes(std::string_view line) {
-  return line.substr(0, line.find(R"("id")")).find("fathom/golden-shapes/") != std::string_view::npos;
+  return line.substr(0, line.find(R"("id")")).find("fathom/golden-shapes/") != std::string_view::npos ||
+         line.find(R"("margin":)") != std::string_view::npos;
 }
 
 /// Iterates over the records of a release.
@@ -283,8 +285,9 @@ std::vector<std::string> words_of_cases() {
 
 std::vector<std::string> groups_of_releases() {
   std::vector<std::string> names = {"catalogue", "real"};
-  for (const families::Family& family : families::families())
-    if (family.name != "catalogue") names.emplace_back(family.name);
+  for (const families::Kind kind : {families::Kind::polytopes, families::Kind::plane})
+    for (const families::Family& family : families::families(kind))
+      if (family.name != "catalogue") names.emplace_back(family.name);
   return names;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <span>
 
 #include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"
@@ -47,20 +48,27 @@ double hexadecimal(const JsonValue& value) {
   return negative ? -magnitude : magnitude;
 }
 
-std::array<double, 3> triple(const JsonValue& value) {
-  if (value.items().size() != 3) throw NotARecord("expected three numbers, found something else");
-  return {hexadecimal(value.at(0)), hexadecimal(value.at(1)), hexadecimal(value.at(2))};
+/// Two numbers in the plane, where the third is 0.
+std::array<double, 3> triple(const JsonValue& value, unsigned dimension) {
+  if (value.items().size() != dimension)
+    throw NotARecord(dimension == 3 ? "expected three numbers, found something else"
+                                    : "expected two numbers, found something else");
+  std::array<double, 3> result{};
+  for (unsigned i = 0; i < dimension; ++i) result.at(i) = hexadecimal(value.at(i));
+  return result;
 }
 
-Triples points(const JsonValue& body) {
+Triples points(const JsonValue& body, unsigned dimension) {
   Triples result;
-  for (const JsonValue& vertex : body.at("vertices").items()) result.push_back(triple(vertex));
+  for (const JsonValue& vertex : body.at("vertices").items()) result.push_back(triple(vertex, dimension));
   if (result.empty()) throw NotARecord("expected at least one point, found none");
   return result;
 }
 
 /// Returns the unit vector, rounded to nearest.
-std::array<double, 3> unit(const JsonValue& holder) { return triple(holder.at("unit").at("f64").at("rn")); }
+std::array<double, 3> unit(const JsonValue& holder, unsigned dimension) {
+  return triple(holder.at("unit").at("f64").at("rn"), dimension);
+}
 
 /// Returns the longest side: a difference of two doubles, so correctly rounded.
 double longest_side(const Triples& body) {
@@ -85,20 +93,41 @@ std::string contact_in(const JsonValue& holder) {
   return plain_text(holder.at("contact").at("kind"), "abcdefghijklmnopqrstuvwxyz-");
 }
 
+void add_optimum(std::array<double, 3> direction, const JsonValue& optimum, ExportCase& result) {
+  result.directions.push_back(direction);
+  if (std::string kind = contact_in(optimum); std::ranges::find(result.contacts, kind) == result.contacts.end())
+    result.contacts.push_back(std::move(kind));
+}
+
+constexpr std::string_view digits = "0123456789/";
+
+/// Reads the answer about two polygons: the signed depth is a root without a radius beside it.
+void read_plane_answer(const JsonValue& expected, ExportCase& result) {
+  const JsonValue& depth = expected.at("signed_depth");
+  result.signed_depth = hexadecimal(depth.at("f64").at("rn"));
+  result.squared = plain_text(depth.at("exact").at("root"), digits);
+  if (result.status != "penetrating") {
+    result.directions.push_back(unit(expected, 2));
+    return;
+  }
+  for (const JsonValue& way : expected.at("translations").items()) {
+    const JsonValue& normal = way.at("normal");
+    const RoundedVector rounded =
+        rounded_unit({number_in(normal.at(0)).get_num(), number_in(normal.at(1)).get_num(), 0});
+    add_optimum({rounded[0].binary64[0], rounded[1].binary64[0], 0}, way, result);
+  }
+}
+
 void read_answer(const JsonValue& expected, ExportCase& result) {
-  constexpr std::string_view digits = "0123456789/";
   result.status = plain_text(expected.at("status"), "abcdefghijklmnopqrstuvwxyz");
+  if (result.dimension == 2) return read_plane_answer(expected, result);
   const bool apart = result.status == "disjoint";
   const JsonValue& length = expected.at(apart ? "distance" : "depth");
   const double value = hexadecimal(length.at("f64").at("rn"));
   result.signed_depth = apart ? -value : value;
   result.squared = plain_text(length.at("squared"), digits);
-  for (const JsonValue& optimum : expected.at("optima").items()) {
-    result.directions.push_back(unit(optimum));
-    if (std::string kind = contact_in(optimum); std::ranges::find(result.contacts, kind) == result.contacts.end())
-      result.contacts.push_back(std::move(kind));
-  }
-  if (result.directions.empty()) result.directions.push_back(unit(expected));
+  for (const JsonValue& optimum : expected.at("optima").items()) add_optimum(unit(optimum, 3), optimum, result);
+  if (result.directions.empty()) result.directions.push_back(unit(expected, 3));
 }
 
 /// Exact numbers, each rounded to nearest.
@@ -136,7 +165,7 @@ std::vector<std::string> flags_in(const JsonValue& record) {
 
 std::string group_of(const JsonValue& source) {
   const std::string kind = source.at("kind").string();
-  return kind == "family" ? source.at("name").string() : kind;
+  return kind == "family" || kind == "plane_family" ? source.at("name").string() : kind;
 }
 
 bool all_finite(const ExportCase& result) {
@@ -161,11 +190,12 @@ std::optional<ExportCase> export_case(std::string_view line) {
     ExportCase result;
     result.name = plain_text(record.at("id"), "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-");
     result.group = group_of(record.at("source"));
-    result.flags = flags_in(record);
+    if (record.find("dimension")) result.dimension = 2;
+    else result.flags = flags_in(record);
     for (const JsonValue& format : formats)
       if (!is("exact")(format)) result.formats.push_back(plain_text(format, "binary3264"));
-    result.a = points(record.at("a"));
-    result.b = points(record.at("b"));
+    result.a = points(record.at("a"), result.dimension);
+    result.b = points(record.at("b"), result.dimension);
     result.size = std::max(longest_side(result.a), longest_side(result.b));
     result.largest = std::max(largest_coordinate(result.a), largest_coordinate(result.b));
     read_answer(record.at("expected"), result);
@@ -184,9 +214,11 @@ using Triples = std::vector<std::array<double, 3>>;
 
 constexpr std::size_t longest_c_string = 509;  // the length that every C89 compiler accepts
 
-std::string joined(const std::array<double, 3>& point, std::string_view separator) {
-  return fmt::format("{1}{0}{2}{0}{3}", separator, decimal_text(point[0]), decimal_text(point[1]),
-                     decimal_text(point[2]));
+// `dimension`: 2 in the plane, where the third coordinate, which is 0, is left out.
+
+std::string joined(const std::array<double, 3>& point, std::string_view separator, unsigned dimension = 3) {
+  std::string text = fmt::format("{1}{0}{2}", separator, decimal_text(point[0]), decimal_text(point[1]));
+  return dimension == 3 ? fmt::format("{1}{0}{2}", separator, text, decimal_text(point[2])) : text;
 }
 
 /// Returns text(element) of all elements, with separators between them.
@@ -200,8 +232,9 @@ std::string listed(const Elements& elements, std::string_view separator, Text te
   return result;
 }
 
-std::string bracketed(const Triples& points) {
-  return '[' + listed(points, ", ", [](const auto& point) { return '[' + joined(point, ", ") + ']'; }) + ']';
+std::string bracketed(const Triples& points, unsigned dimension = 3) {
+  return '[' + listed(points, ", ", [=](const auto& point) { return '[' + joined(point, ", ", dimension) + ']'; }) +
+         ']';
 }
 
 Triples gradient_of(const ExportCase& entry) { return {entry.gradient->begin(), entry.gradient->end()}; }
@@ -223,17 +256,17 @@ std::string about(const ExportSource& source, std::size_t count, std::string_vie
 
 // ---- C ----
 
-std::string c_points(const Triples& points) {
+std::string c_points(const Triples& points, unsigned dimension = 3) {
   std::string result;
-  for (const std::array<double, 3>& point : points) result += "  " + joined(point, ", ") + ",\n";
+  for (const std::array<double, 3>& point : points) result += "  " + joined(point, ", ", dimension) + ",\n";
   return result;
 }
 
 std::string c_text(const ExportSource& source, const std::vector<ExportCase>& cases) {
   std::string numbers, table, sizes;
   std::size_t at = 0, patches = 0;
-  const auto place = [&](const Triples& points) {
-    numbers += c_points(points);
+  const auto place = [&](const Triples& points, unsigned dimension) {
+    numbers += c_points(points, dimension);
     return fmt::format("fathom_golden_numbers + {}, {}", at, points.size());
   };
   for (const ExportCase& entry : cases) {
@@ -247,8 +280,8 @@ std::string c_text(const ExportSource& source, const std::vector<ExportCase>& ca
                          listed(entry.flags, " ", [](const std::string& flag) { return flag; }),
                          decimal_text(entry.size), decimal_text(entry.largest));
     for (const Triples* points : {&entry.a, &entry.b, &entry.directions}) {
-      table += place(*points) + ", ";
-      at += 3 * points->size();
+      table += place(*points, entry.dimension) + ", ";
+      at += entry.dimension * points->size();
     }
     const auto add = [&](const auto& points) {
       numbers += c_points({points.begin(), points.end()});
@@ -262,7 +295,8 @@ std::string c_text(const ExportSource& source, const std::vector<ExportCase>& ca
       sizes += fmt::format("  {},\n", corners.size());
     }
     patches += entry.patches.size();
-    table += entry.gradient ? fmt::format("fathom_golden_numbers + {}}},\n", at) : "NULL},\n";
+    table += entry.gradient ? fmt::format("fathom_golden_numbers + {}, ", at) : "NULL, ";
+    table += fmt::format("{}}},\n", entry.dimension);
     if (entry.gradient) add(*entry.gradient);
   }
   if (!sizes.empty())
@@ -288,24 +322,26 @@ std::string rust_entry(const ExportCase& entry) {
       "        flags: &{},\n        size: {},\n        largest: {},\n        a: &{},\n        b: &{},\n        "
       "directions: &{},\n        patches: &[{}],\n        gradient: {},\n    }},\n",
       entry.name, status, decimal_text(entry.signed_depth), entry.squared, quoted_list(entry.flags),
-      decimal_text(entry.size), decimal_text(entry.largest), bracketed(entry.a), bracketed(entry.b),
-      bracketed(entry.directions), listed(entry.patches, ", ", [](const Triples& p) { return '&' + bracketed(p); }),
+      decimal_text(entry.size), decimal_text(entry.largest), bracketed(entry.a, entry.dimension),
+      bracketed(entry.b, entry.dimension), bracketed(entry.directions, entry.dimension), listed(entry.patches, ", ", [](const Triples& p) { return '&' + bracketed(p); }),
       entry.gradient ? "Some(" + bracketed(gradient_of(entry)) + ")" : "None");
 }
 
 std::string rust_text(const ExportSource& source, const std::vector<ExportCase>& cases) {
-  std::string text = fmt::format("{}\n{}#[allow(clippy::excessive_precision)]\npub static CASES: [Case; {}] = [\n",
-                                 kit_in_rust(), about(source, cases.size(), "// "), cases.size());
+  std::string text = fmt::format("{}\n{}#[allow(clippy::excessive_precision)]\npub static CASES: [Case{}; {}] = [\n",
+                                 kit_in_rust(), about(source, cases.size(), "// "),
+                                 cases.front().dimension == 2 ? "<2>" : "", cases.size());
   for (const ExportCase& entry : cases) text += rust_entry(entry);
   return text + "];\n";
 }
 
 // ---- JSON and CSV ----
 
-Json triple_json(const std::array<double, 3>& triple) {
-  return Json::array_of(triple, [](double x) { return Json(x); });
+Json triples_json(const Triples& triples, unsigned dimension = 3) {
+  return Json::array_of(triples, [dimension](const std::array<double, 3>& triple) {
+    return Json::array_of(std::span(triple).first(dimension), [](double x) { return Json(x); });
+  });
 }
-Json triples_json(const Triples& triples) { return Json::array_of(triples, triple_json); }
 Json words_json(const std::vector<std::string>& words) {
   return Json::array_of(words, [](const std::string& word) { return Json(word); });
 }
@@ -318,14 +354,15 @@ Json case_json(const ExportCase& entry) {
               {"flags", words_json(entry.flags)},
               {"size", entry.size},
               {"largest", entry.largest},
-              {"a", triples_json(entry.a)},
-              {"b", triples_json(entry.b)},
-              {"directions", triples_json(entry.directions)},
+              {"a", triples_json(entry.a, entry.dimension)},
+              {"b", triples_json(entry.b, entry.dimension)},
+              {"directions", triples_json(entry.directions, entry.dimension)},
               {"family", entry.group},
               {"formats", words_json(entry.formats)},
               {"contacts", words_json(entry.contacts)}};
+  if (entry.dimension == 2) result["dimension"] = 2;
   if (entry.patches.empty()) return result;
-  result["patches"] = Json::array_of(entry.patches, triples_json);
+  result["patches"] = Json::array_of(entry.patches, [](const Triples& corners) { return triples_json(corners); });
   result["gradient"] = entry.gradient ? triples_json(gradient_of(entry)) : Json();
   return result;
 }
@@ -347,18 +384,20 @@ std::string json_text(const ExportSource& source, const std::vector<ExportCase>&
 }
 
 std::string csv_text(const std::vector<ExportCase>& cases) {
-  const auto numbers = [](const Triples& points) {
-    return listed(points, " ", [](const auto& point) { return joined(point, " "); });
+  const unsigned dimension = cases.front().dimension;
+  const auto numbers = [dimension](const Triples& points) {
+    return listed(points, " ", [dimension](const auto& point) { return joined(point, " ", dimension); });
   };
   const auto words = [](const std::vector<std::string>& list) { return fmt::format("{}", fmt::join(list, " ")); };
   std::string text =
-      "name,status,signed_depth,squared,flags,size,largest,a,b,directions,family,formats,contacts,patches,gradient\n";
+      "name,status,signed_depth,squared,flags,size,largest,a,b,directions,family,formats,contacts,patches,gradient";
+  text += dimension == 2 ? ",dimension\n" : "\n";
   for (const ExportCase& entry : cases)
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", entry.name, entry.status,
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}{}\n", entry.name, entry.status,
                         decimal_text(entry.signed_depth), entry.squared, words(entry.flags), decimal_text(entry.size),
                         decimal_text(entry.largest), numbers(entry.a), numbers(entry.b), numbers(entry.directions),
                         entry.group, words(entry.formats), words(entry.contacts), listed(entry.patches, ";", numbers),
-                        entry.gradient ? numbers(gradient_of(entry)) : "");
+                        entry.gradient ? numbers(gradient_of(entry)) : "", dimension == 2 ? ",2" : "");
   return text;
 }
 

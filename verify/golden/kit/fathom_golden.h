@@ -29,7 +29,7 @@ typedef enum fathom_golden_status {
 } fathom_golden_status;
 
 /* The bodies are the convex hulls of the points. Points and directions lie one behind the other: x
- * y z x y z ... */
+ * y z x y z ..., or in the plane x y x y ... */
 typedef struct fathom_golden_case {
   const char *name;
   fathom_golden_status status;
@@ -53,6 +53,7 @@ typedef struct fathom_golden_case {
   /* Of these, where the signed depth is smooth, else NULL: six numbers, rounded. A moves with v + w
    * x p at its points p: the first three times v and the others times w are its rate. */
   const double *gradient;
+  int dimension; /* 3, or 2 of bodies of the plane */
 } fathom_golden_case;
 
 /* How wrong an answer may be: by the larger of relative * depth (or distance) and absolute * size.
@@ -61,35 +62,36 @@ typedef struct fathom_golden_tolerance {
   double relative, absolute;
 } fathom_golden_tolerance;
 
-/* The greatest <u,p> of the points. */
-FATHOM_GOLDEN_FUNCTION double fathom_golden_support(const double *points, size_t count, const double u[3])
+/* The greatest <u,p> of the points, which have three coordinates; in the plane two, and u has a third, 0. */
+FATHOM_GOLDEN_FUNCTION double fathom_golden_support(const double *points, size_t count, int dimension, const double u[3])
 {
   double greatest = -HUGE_VAL;
   size_t i;
   for (i = 0; i < count; ++i) {
-    const double *p = points + 3 * i;
-    const double value = u[0] * p[0] + u[1] * p[1] + u[2] * p[2];
+    const double *p = points + (size_t)dimension * i;
+    const double value = u[0] * p[0] + u[1] * p[1] + (dimension == 3 ? u[2] * p[2] : 0);
     if (value > greatest) greatest = value;
   }
   return greatest;
 }
 
-/* The separating distance of a direction of any length; HUGE_VAL if it is zero, infinite or NaN. It
+/* The separating distance of a direction of any length, which has as many numbers as a point; HUGE_VAL if it is zero, infinite or NaN. It
  * is off by less than 2^-47 of the largest coordinate (and 2^-1068). */
-FATHOM_GOLDEN_FUNCTION double fathom_golden_separating_distance(const fathom_golden_case *golden, const double direction[3])
+FATHOM_GOLDEN_FUNCTION double fathom_golden_separating_distance(const fathom_golden_case *golden, const double *direction)
 {
-  double u[3], minus_u[3], longest = 0;
+  double u[3] = {0, 0, 0}, minus_u[3] = {0, 0, 0}, longest = 0;
   int i;
-  for (i = 0; i < 3; ++i) {
+  for (i = 0; i < golden->dimension; ++i) {
     if (!(fabs(direction[i]) <= DBL_MAX)) return HUGE_VAL;
     if (fabs(direction[i]) > longest) longest = fabs(direction[i]);
   }
   if (longest == 0) return HUGE_VAL;
-  for (i = 0; i < 3; ++i) {
+  for (i = 0; i < golden->dimension; ++i) {
     u[i] = direction[i] / longest / 8; /* an eighth, so that no sum overflows */
     minus_u[i] = -u[i];
   }
-  return (fathom_golden_support(golden->b, golden->b_count, u) + fathom_golden_support(golden->a, golden->a_count, minus_u)) /
+  return (fathom_golden_support(golden->b, golden->b_count, golden->dimension, u) +
+          fathom_golden_support(golden->a, golden->a_count, golden->dimension, minus_u)) /
          sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
 }
 

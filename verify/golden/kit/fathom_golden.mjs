@@ -10,14 +10,19 @@ export const read = (path) => JSON.parse(readFileSync(path, 'utf8')).cases;
 /** The sample of fifty cases, which lies beside this file. */
 export const sample = () => read(new URL('fathom_golden_sample.json', import.meta.url));
 
-/** The separating distance of a direction of any length; infinite if it is zero, infinite or NaN. Off by less than 2^-47 of `largest`. */
+/**
+ * The separating distance of a direction of any length; infinite if it is zero, infinite or NaN. Off by less than 2^-47 of `largest`.
+ * Throws a RangeError if it has not as many numbers as a point: three, or two where `dimension` is 2.
+ */
 export function separatingDistance(golden, direction) {
+  const dimension = golden.dimension ?? 3;
+  if (direction.length !== dimension) throw new RangeError(`expected a direction of ${dimension} numbers, found ${direction.length}`);
   const longest = Math.max(...direction.map(Math.abs));
   if (!(longest > 0 && longest < Infinity)) return Infinity;
   const u = direction.map((x) => x / longest / 8);  // an eighth, so that no sum overflows
-  const along = (p) => u[0] * p[0] + u[1] * p[1] + u[2] * p[2];
+  const along = (p) => u.reduce((sum, x, i) => sum + x * p[i], 0);
   const height = golden.b.reduce((most, p) => Math.max(most, along(p)), -Infinity) - golden.a.reduce((least, p) => Math.min(least, along(p)), Infinity);
-  return height / Math.sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+  return height / Math.sqrt(along(u));
 }
 
 /** By how much an answer may be off: the tolerance, and what rounding costs it and the separating distance. */

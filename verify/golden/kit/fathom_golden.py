@@ -39,6 +39,7 @@ class Case(NamedTuple):
     #: Of these, where the signed depth is smooth, rounded. A moves with v + w x p at its points p: the first times v and the second times w
     #: are its rate.
     gradient: Optional[List[List[float]]] = None
+    dimension: int = 3  #: 2 of bodies of the plane: then points and directions have two coordinates
 
 
 def read(path: Union[str, "os.PathLike[str]"]) -> List[Case]:
@@ -60,28 +61,37 @@ def _from_object(case):
 
 
 def _from_row(row):
+    dimension = int(row.get("dimension") or 3)
+
     def points(text):
         numbers = [float(word) for word in text.split()]
-        return [numbers[i:i + 3] for i in range(0, len(numbers), 3)]
+        return [numbers[i:i + dimension] for i in range(0, len(numbers), dimension)]
 
     return Case(row["name"], row["status"], float(row["signed_depth"]), Fraction(row["squared"]), row["flags"].split(), float(row["size"]),
                 float(row["largest"]), points(row["a"]), points(row["b"]), points(row["directions"]),
                 row.get("family", ""), row.get("formats", "").split(), row.get("contacts", "").split(),
                 [points(patch) for patch in row["patches"].split(";")] if row.get("patches") else (),
-                points(row["gradient"]) if row.get("gradient") else None)
+                points(row["gradient"]) if row.get("gradient") else None, dimension)
+
+
+def _dot(u, p):
+    plane = u[0] * p[0] + u[1] * p[1]
+    return plane + u[2] * p[2] if len(u) == 3 else plane
 
 
 def separating_distance(case: Case, direction: Sequence[float]) -> float:
     """Returns the separating distance of a direction of any length; infinite if it is zero, infinite or NaN.
 
-    It is off by less than 2^-47 of the largest coordinate (and 2^-1068).
+    It is off by less than 2^-47 of the largest coordinate (and 2^-1068). Raises ValueError if it has not as many numbers as a point.
     """
+    if len(direction) != case.dimension:
+        raise ValueError(f"expected a direction of {case.dimension} numbers, found {len(direction)}")
     longest = max(abs(x) for x in direction)
     if longest == 0 or not all(math.isfinite(x) for x in direction):
         return math.inf
     u = [x / longest / 8 for x in direction]  # an eighth, so that no sum overflows
-    values = [[u[0] * p[0] + u[1] * p[1] + u[2] * p[2] for p in body] for body in (case.a, case.b)]
-    return (max(values[1]) - min(values[0])) / math.sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2])
+    values = [[_dot(u, p) for p in body] for body in (case.a, case.b)]
+    return (max(values[1]) - min(values[0])) / math.sqrt(_dot(u, u))
 
 
 def allowance(case: Case, relative: float, absolute: float) -> float:

@@ -13,9 +13,9 @@ pub enum Status {
     Disjoint,
 }
 
-/// The bodies are the convex hulls of the points.
+/// The bodies are the convex hulls of the points, of N coordinates: 3, or 2 of bodies of the plane.
 #[derive(Debug)]
-pub struct Case {
+pub struct Case<const N: usize = 3> {
     pub name: &'static str,
     pub status: Status,
     /// Correctly rounded to nearest.
@@ -29,11 +29,11 @@ pub struct Case {
     /// The largest magnitude of a coordinate.
     pub largest: f64,
     /// Exact.
-    pub a: &'static [[f64; 3]],
-    pub b: &'static [[f64; 3]],
+    pub a: &'static [[f64; N]],
+    pub b: &'static [[f64; N]],
     /// Unit vectors, rounded: all whose separating distance is the depth. Of bodies that touch one whose is 0; of bodies that are apart
     /// that of the distance, from B to A.
-    pub directions: &'static [[f64; 3]],
+    pub directions: &'static [[f64; N]],
     /// Of cases of contacts, for each direction: the corners, on A, of all points where the bodies touch once A is moved that way, rounded:
     /// one of a point, two of a segment.
     pub patches: &'static [&'static [[f64; 3]]],
@@ -49,18 +49,18 @@ pub struct Tolerance {
     pub absolute: f64,
 }
 
-fn dot(u: [f64; 3], p: [f64; 3]) -> f64 {
-    u[0] * p[0] + u[1] * p[1] + u[2] * p[2]
+fn dot<const N: usize>(u: [f64; N], p: [f64; N]) -> f64 {
+    u.iter().zip(p).map(|(x, y)| x * y).sum()
 }
 
-fn support(points: &[[f64; 3]], u: [f64; 3]) -> f64 {
+fn support<const N: usize>(points: &[[f64; N]], u: [f64; N]) -> f64 {
     points.iter().map(|&p| dot(u, p)).fold(f64::NEG_INFINITY, f64::max)
 }
 
-impl Case {
+impl<const N: usize> Case<N> {
     /// The separating distance of a direction of any length; infinite if it is zero, infinite or NaN. It is off by less than 2^-47 of the
     /// largest coordinate (and 2^-1068).
-    pub fn separating_distance(&self, direction: [f64; 3]) -> f64 {
+    pub fn separating_distance(&self, direction: [f64; N]) -> f64 {
         let longest = direction.iter().fold(0.0, |longest: f64, x| longest.max(x.abs()));
         if longest == 0.0 || direction.iter().any(|x| !x.is_finite()) {
             return f64::INFINITY;
@@ -78,7 +78,7 @@ impl Case {
     /// Whether "A and B overlap by `depth`; A gets free along `direction`" is right: neither the depth nor the separating distance of the
     /// direction is off by more than the allowance. Any direction that is good enough is right, not only the best. A distance is a depth
     /// below 0. The direction may have any length.
-    pub fn accept(&self, direction: Option<[f64; 3]>, depth: f64, tolerance: Tolerance) -> bool {
+    pub fn accept(&self, direction: Option<[f64; N]>, depth: f64, tolerance: Tolerance) -> bool {
         let allowed = self.allowance(tolerance);
         (depth - self.signed_depth).abs() <= allowed
             && direction.map_or(true, |u| self.separating_distance(u) - self.signed_depth <= allowed)

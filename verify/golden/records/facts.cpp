@@ -469,6 +469,15 @@ UnionStatement truth_of(const UnionDepth& answer) {
   return truth;
 }
 
+PlaneStatement truth_of(const Answer& answer) {
+  const SignedDepth& depth = std::get<SignedDepth>(answer.found);
+  const Depth& cores = std::get<Depth>(depth.core);
+  PlaneStatement truth{truth_of(depth), {}};
+  for (const Optimum& optimum : cores.optima()) truth.contacts.push_back(optimum.contact);
+  if (const Distance* const distance = cores.distance()) truth.contacts.push_back(distance->contact);
+  return truth;
+}
+
 SignedDepth answer_about(const Shape& a, const Shape& b, const Options& options) {
   constexpr unsigned first_bits = 40, most_bits = 80;
   SignedDepthOptions asked;
@@ -487,6 +496,12 @@ UnionDepth answer_about(const Pieces& a, const Pieces& b, Monitor* monitor) {
   UnionDepth answer = union_depth(a, b, options);
   if (!answer.complete) throw Interrupted();
   return answer;
+}
+
+Answer answer_about(const families::PlanePair& bodies, const Options& options) {
+  Question question;
+  question.options = options;
+  return exact_answer(bodies.a, bodies.b, question);
 }
 
 // ---- records ----

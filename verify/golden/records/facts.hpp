@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "fathom/answer.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/patch.hpp"
 #include "fathom/signed_depth.hpp"
@@ -88,14 +89,22 @@ struct UnionStatement {
   std::optional<UnionGap> gap;  ///< if they are disjoint
 };
 
+/// Of bodies of the plane: every z is 0.
+struct PlaneStatement {
+  ShapeStatement shapes;
+  std::vector<Contact> contacts;  ///< the faces of the cores along each translation; none if the cores touch
+};
+
 /// In the order of RecordBodies.
-using RecordStatement = std::variant<HullStatement, ShapeStatement, UnionStatement>;
+using RecordStatement = std::variant<HullStatement, ShapeStatement, UnionStatement, PlaneStatement>;
 
 /// Returns the values of a record about these points; `answer` is that of penetration_depth. Throws
 /// Interrupted.
 HullStatement truth_of(const HullPair& hulls, Depth answer, Monitor* monitor = nullptr, Workspace* workspace = nullptr);
 ShapeStatement truth_of(const SignedDepth& answer);
 UnionStatement truth_of(const UnionDepth& answer);
+/// `answer` is about bodies of the plane, which are shapes.
+PlaneStatement truth_of(const Answer& answer);
 
 /// Returns the answer about shapes for records: with bounds as close as signed_depth makes them,
 /// and closer ones if these leave the status open. Throws as signed_depth does.
@@ -104,6 +113,9 @@ SignedDepth answer_about(const Shape& a, const Shape& b, const Options& options)
 /// Returns the answer about unions for records, from a complete search. Throws as union_depth does,
 /// and Interrupted.
 UnionDepth answer_about(const Pieces& a, const Pieces& b, Monitor* monitor);
+
+/// Returns the answer about bodies of the plane, which are shapes. Throws as exact_answer does.
+Answer answer_about(const families::PlanePair& bodies, const Options& options);
 
 // ---- where the bodies touch ----
 
@@ -137,9 +149,9 @@ std::string certificate_of(const RecordBodies& bodies, const ContactStatement& f
 
 // ---- records ----
 
-/// The schemas of records: of polytopes, shapes and unions, as in RecordStatement.
-inline constexpr std::array<std::string_view, 3> record_schemas{"fathom/golden/1", "fathom/golden-shapes/1",
-                                                                "fathom/golden-unions/1"};
+/// The schemas of records, in the order of RecordStatement.
+inline constexpr std::array<std::string_view, 4> record_schemas{"fathom/golden/1", "fathom/golden-shapes/1",
+                                                                "fathom/golden-unions/1", "fathom/golden-plane/1"};
 
 struct Facts {
   Recipe recipe;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/number/text.hpp"
+#include "reference/answer/plane.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/output/answer_json.hpp"
@@ -48,11 +50,13 @@ void write_modes(JsonStream& out, const Rounded& value) {
   in_both_formats(out, [&](auto format, std::size_t mode) { out.hex((value.*format)[mode]); });
 }
 
-void write_rounded(JsonStream& out, std::string_view key, const RoundedVector& vector) {
+// `dimension`: 2 in the plane, where the third coordinate, which is 0, is left out.
+
+void write_rounded(JsonStream& out, std::string_view key, const RoundedVector& vector, unsigned dimension = 3) {
   out.key(key).open('{');
   in_both_formats(out, [&](auto format, std::size_t mode) {
     out.open('[');
-    for (const Rounded& component : vector) out.hex((component.*format)[mode]);
+    for (const Rounded& component : std::span(vector).first(dimension)) out.hex((component.*format)[mode]);
     out.close(']');
   });
   out.close('}');
@@ -64,9 +68,15 @@ void write_length(JsonStream& out, const mpq_class& squared, const Rounded& root
   write_modes(out, root);
 }
 
-void write_direction(JsonStream& out, const Vector& n, const RoundedVector& unit) {
-  out.key("direction").exact(n);
-  write_rounded(out, "unit", unit);
+void write_vector(JsonStream& out, const Vector& v, unsigned dimension) {
+  if (dimension == 3) out.exact(v);
+  else out.open('[').exact(v.x).exact(v.y).close(']');
+}
+
+void write_direction(JsonStream& out, const Vector& n, const RoundedVector& unit, unsigned dimension = 3) {
+  out.key("direction");
+  write_vector(out, n, dimension);
+  write_rounded(out, "unit", unit, dimension);
 }
 
 void write_translation(JsonStream& out, const Point& t, const RoundedVector& rounded) {
@@ -88,6 +98,7 @@ class BodyText {
   BodyText(JsonStream& out, bool hexadecimal) : out_(out), hexadecimal_(hexadecimal) {}
 
   void write(const Body& body) {
+    if (body.shape) return write_plane(*body.shape);
     out_.open('{').key("vertices").open('[');
     if (hexadecimal_) {
       for (const std::array<double, 3>& p : body.points.binary64()) out_.hex(p);
@@ -128,6 +139,23 @@ class BodyText {
   }
 
  private:
+  /// Writes a body of the plane.
+  void write_plane(const Shape& shape) {
+    const std::vector<Point> core = files::points_of(shape).value();
+    out_.open('{').key("vertices").open('[');
+    for (const Point& p : core) {
+      out_.open('[');
+      number(p.x);
+      number(p.y);
+      out_.close(']');
+    }
+    out_.close(']');
+    if (shape.radius > 0) {
+      out_.key("margin");
+      number(shape.radius);
+    }
+    out_.close('}');
+  }
   void number(const mpq_class& value) { hexadecimal_ ? out_.hex(round_binary64(value)) : out_.exact(value); }
   void point(const Point& p) {
     out_.open('[');
@@ -155,6 +183,7 @@ class BodyText {
 };
 
 void write_known(JsonStream&, const HullPair&) {}
+void write_known(JsonStream&, const families::PlanePair&) {}
 
 void write_known(JsonStream& out, const families::NamedPair& shapes) {
   if (shapes.known) write_surd(out, "signed_depth", shapes.known->signed_depth);
@@ -186,6 +215,13 @@ void write_witness(JsonStream& out, const Witness& witness) {
   out.key("witness").open('{').key("a").exact(witness.a).key("b").exact(witness.b).close('}');
 }
 
+void write_contact(JsonStream& out, const Contact& contact) {
+  out.key("contact").open('{').key("kind").plain(name(contact.kind));
+  out.key("a").array_of(contact.a);
+  out.key("b").array_of(contact.b);
+  out.close('}');
+}
+
 void write_gap(JsonStream& out, const HullStatement& truth) {
   out.key("gap");
   if (!truth.gap) {
@@ -207,10 +243,8 @@ void write_expected(JsonStream& out, const HullStatement& truth, const RecordBod
     out.open('{');
     write_direction(out, optima[i].direction, truth.units[i]);
     write_translation(out, optima[i].translation(), truth.translations[i]);
-    out.key("contact").open('{').key("kind").plain(name(contact.kind));
-    out.key("a").array_of(contact.a);
-    out.key("b").array_of(contact.b);
-    out.close('}').close('}');
+    write_contact(out, contact);
+    out.close('}');
   }
   out.close(']');
   if (answer.status() == Status::penetrating) write_gap(out, truth);
@@ -251,29 +285,45 @@ void write_value(JsonStream& out, const ShapeStatement& truth) {
   out.close('}');
 }
 
-void write_cone(JsonStream& out, const OptimalCone& cone) {
+void write_cone(JsonStream& out, const OptimalCone& cone, unsigned dimension) {
   out.key("optimal_cone").open('{').key("lineality").plain(output::lineality_name(cone)).key("axis");
-  if (cone.lineality == Lineality::line || cone.lineality == Lineality::plane) out.exact(cone.axis);
+  if (cone.lineality == Lineality::line || cone.lineality == Lineality::plane)
+    write_vector(out, cone.axis, dimension);
   else out.null();
   out.key("rays").open('[');
-  for (const Vector& ray : cone.rays) out.exact(ray);
+  for (const Vector& ray : cone.rays) write_vector(out, ray, dimension);
   out.close(']').close('}');
 }
 
-void write_expected(JsonStream& out, const ShapeStatement& truth, const RecordBodies& bodies) {
-  const auto& shapes = std::get<families::NamedPair>(bodies);
+/// `contacts`: one for each translation, or none.
+void write_signed_depth(JsonStream& out, const ShapeStatement& truth, std::array<bool, 2> flat, unsigned dimension,
+                        std::span<const Contact> contacts) {
   out.key("status").plain(status_of(truth));
   write_value(out, truth);
-  write_flat(out, is_flat(families::shape_of(shapes.a)), is_flat(families::shape_of(shapes.b)));
-  write_direction(out, truth.direction, rounded_unit(truth.direction));
+  write_flat(out, flat[0], flat[1]);
+  write_direction(out, truth.direction, rounded_unit(truth.direction), dimension);
   out.key("translations").open('[');
-  for (const AlongNormal& along : truth.translations) {
-    out.open('{').key("normal").exact(along.normal).key("alpha").exact(along.alpha).key("beta").exact(along.beta);
-    write_rounded(out, "rounded", rounded_along(along));
+  for (std::size_t i = 0; i < truth.translations.size(); ++i) {
+    const AlongNormal& along = truth.translations[i];
+    out.open('{').key("normal");
+    write_vector(out, along.normal, dimension);
+    out.key("alpha").exact(along.alpha).key("beta").exact(along.beta);
+    write_rounded(out, "rounded", rounded_along(along), dimension);
+    if (!contacts.empty()) write_contact(out, contacts[i]);
     out.close('}');
   }
   out.close(']');
-  if (truth.cone) write_cone(out, *truth.cone);
+  if (truth.cone) write_cone(out, *truth.cone, dimension);
+}
+
+void write_expected(JsonStream& out, const ShapeStatement& truth, const RecordBodies& bodies) {
+  const auto& [a, b, known] = std::get<families::NamedPair>(bodies);
+  write_signed_depth(out, truth, {is_flat(families::shape_of(a)), is_flat(families::shape_of(b))}, 3, {});
+}
+
+void write_expected(JsonStream& out, const PlaneStatement& truth, const RecordBodies& bodies) {
+  const auto& [a, b] = std::get<families::PlanePair>(bodies);
+  write_signed_depth(out, truth.shapes, {answer::is_flat_in_plane(a), answer::is_flat_in_plane(b)}, 2, truth.contacts);
 }
 
 void write_expected(JsonStream& out, const UnionStatement& truth, const RecordBodies&) {
@@ -328,6 +378,7 @@ std::string line_of(const Facts& facts) {
     for (const std::string_view flag : hulls->flags) out.plain(flag);
     out.close(']');
   }
+  if (std::holds_alternative<families::PlanePair>(made.bodies)) out.key("dimension").integer(2);
   BodyText body_text(out, in_binary64);
   const auto write_bodies = [&out, &body_text](const auto& bodies) {
     out.key("a");

@@ -11,9 +11,11 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
+#include "fathom/plane.hpp"
 #include "fathom/shape.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
+#include "reference/answer/plane.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/rounded/optimal_cone.hpp"
 #include "reference/shapes/core.hpp"
@@ -30,9 +32,9 @@ namespace {
 using fathom_check::Certificate;
 using fathom_check::Claim;
 
-/// Returns the certificate with this id. Throws NotProved if the checker does not accept it, or if
-/// `text` holds anything else.
-Certificate accepted(std::string_view text, const std::string& id) {
+/// Returns the certificate with this id, about bodies of the plane or of space. Throws NotProved if
+/// the checker does not accept it, or if `text` holds anything else.
+Certificate accepted(std::string_view text, const std::string& id, bool of_plane = false) {
   fathom_check::Lines lines(text, fathom_check::longest_line);
   fathom_check::Reader reader(lines);
   std::optional<fathom_check::Reader::Found> found = reader.read();
@@ -41,6 +43,7 @@ Certificate accepted(std::string_view text, const std::string& id) {
     throw NotProved("the certificate is not accepted: " + fathom_check::verdict_line(verdict, id));
   if (found->certificate.id != id)
     throw NotProved("the certificate is that of another record, '" + found->certificate.id + "'");
+  if (found->certificate.raising.has_value() != of_plane) throw NotProved("the certificate is about other bodies");
   if (reader.read()) throw NotProved("expected one certificate, found more");
   return std::move(found->certificate);
 }
@@ -78,6 +81,19 @@ bool same(const Term& term, const fathom_check::Term& other) {
 bool same(const std::vector<Point>& points, const std::vector<fathom_check::RationalPoint>& others) {
   return std::equal(points.begin(), points.end(), others.begin(), others.end(),
                     [](const auto& p, const auto& q) { return same(p, q); });
+}
+
+/// Returns whether the body of the certificate is the hull of these points. Those of the plane are
+/// raised by the checker itself, to as many levels, each in the order in which they are listed.
+bool same(const std::vector<Point>& points, const fathom_check::Body& body) {
+  const std::vector<fathom_check::RationalPoint>& found = body.points.items;
+  if (body.levels == 1) return same(points, found);
+  bool equal = found.size() == body.levels * points.size();
+  for (std::size_t i = 0; equal && i < found.size(); ++i) {
+    const Point p = value_of(found[i]), &expected = points[i % points.size()];
+    equal = p.x == expected.x && p.y == expected.y;
+  }
+  return equal;
 }
 
 /// Returns whether the body of the certificate has these pieces, in this order.
@@ -219,8 +235,9 @@ struct WrittenBody {
   Shape shape;
   std::optional<std::vector<Point>> points;
 
-  explicit WrittenBody(const families::NamedBody& body)
-      : shape(shapes::simplified(families::shape_of(body))),
+  explicit WrittenBody(const families::NamedBody& body) : WrittenBody(families::shape_of(body)) {}
+  explicit WrittenBody(const Shape& body)
+      : shape(shapes::simplified(body)),
         points(shapes::polytope_points(shape, most_expanded_points)) {}
 
   [[nodiscard]] const HalfSpace* half_space() const { return std::get_if<HalfSpace>(&shape.core); }
@@ -228,7 +245,7 @@ struct WrittenBody {
   [[nodiscard]] bool is(const fathom_check::Body& body) const {
     if (value_of(body.radius) != shape.radius) return false;
     switch (body.core) {
-      case fathom_check::Body::Core::points: return points && same(*points, body.points.items);
+      case fathom_check::Body::Core::points: return points && same(*points, body);
       case fathom_check::Body::Core::half_space:
         return half_space() && same(half_space()->normal, body.normal) && half_space()->offset == value_of(body.offset);
       case fathom_check::Body::Core::shape: break;
@@ -261,7 +278,8 @@ struct WrittenBody {
 /// independent and its rays are extreme.
 std::optional<OptimalCone> cone_of(const Certificate& certificate) {
   if (!certificate.has_cone) return std::nullopt;
-  return rounded::canonical({values_of(certificate.lineality.items), values_of(certificate.rays.items)});
+  OptimalCone cone = rounded::canonical({values_of(certificate.lineality.items), values_of(certificate.rays.items)});
+  return certificate.raising ? answer::cone_in_plane(std::move(cone)) : cone;
 }
 
 ShapeStatement stated(const Certificate& certificate, const WrittenBody& a, const WrittenBody& b) {
@@ -307,6 +325,23 @@ ShapeStatement truth_in(const families::NamedPair& shapes, const FormedCase& mad
   ShapeStatement truth = stated(accepted(certificate, made.id), a, b);
   if (shapes.known && denies(truth, *shapes.known))
     throw NotProved("source.signed_depth: the certificate proves another one");
+  return truth;
+}
+
+// ---- bodies of the plane ----
+
+PlaneStatement truth_in(const families::PlanePair& plane, const FormedCase& made, const std::optional<Witness>&,
+                        std::string_view certificate, Workspace*) {
+  const Certificate proof = accepted(certificate, made.id, true);
+  const WrittenBody a(*plane.a.shape), b(*plane.b.shape);
+  PlaneStatement truth{stated(proof, a, b), {}};
+  if (proof.claim == Claim::touching) return truth;
+  const Integers cores = integers_of(*a.points, *b.points);
+  for (const AlongNormal& way : truth.shapes.translations) {
+    const Sides sides(cores, way.normal);
+    truth.contacts.push_back({answer::kind_in_plane(sides.a.corners.size() > 1, sides.b.corners.size() > 1),
+                              sides.a.corners, sides.b.corners});
+  }
   return truth;
 }
 
@@ -517,6 +552,22 @@ std::optional<RecordStatement> truth_by(Method method, const families::NamedPair
     throw NotProved("expected.signed_depth: the bodies, turned and exchanged, have another one");
   if (std::holds_alternative<Bracket>(turned.core)) return std::nullopt;
   return truth_of(answer_about(a, b, options));
+}
+
+std::optional<RecordStatement> truth_by(Method method, const families::PlanePair& plane, std::string_view,
+                                        Monitor* monitor) {
+  static const Pose turn = rigid_pose({7, 0, 0, 2}, {mpq_class(1, 3), -2, 0});
+  const auto turned = [](const Body& body) {
+    Body result;
+    result.shape = moved(*body.shape, turn);
+    return in_plane(std::move(result));
+  };
+  const Options options = options_of(method, monitor);
+  const Answer answer = answer_about(plane, options),
+               other = answer_about(families::PlanePair{turned(plane.b), turned(plane.a)}, options);
+  if (compare(*answer.exact(), *other.exact()) != 0 || answer.ways_out() != other.ways_out())
+    throw NotProved("expected.signed_depth: the bodies, turned and exchanged, have another one");
+  return truth_of(answer);
 }
 
 Pieces moved(Pieces pieces) {

@@ -13,8 +13,10 @@
 
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/plane.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
+#include "reference/files/shape_names.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/union_pairs.hpp"
@@ -174,6 +176,36 @@ bool fits(const Unions& unions, Form format) {
   return true;
 }
 
+// ---- bodies of the plane ----
+
+families::PlanePair plane_of(const Case& bodies) {
+  const auto as_shape = [](const Body& body) {
+    Body result;
+    result.shape = files::shape_of(body);
+    return in_plane(std::move(result));
+  };
+  return {as_shape(bodies.a), as_shape(bodies.b)};
+}
+
+/// Returns false if a number overflows, distinct points all become equal, or a radius becomes 0.
+bool round(families::PlanePair& plane, Form form) {
+  for (Body* body : {&plane.a, &plane.b}) {
+    GivenPoints core = in_simplest_form(files::points_of(*body->shape).value());
+    mpq_class radius = body->shape->radius;
+    if (!round(core, form) || !round_to_nearest(radius, form) || sgn(radius) != sgn(body->shape->radius)) return false;
+    body->shape = with_margin(hull(core.exact()), radius);
+  }
+  return true;
+}
+
+bool fits(const families::PlanePair& plane, Form format) {
+  return std::ranges::all_of(std::array{&plane.a, &plane.b}, [format](const Body* body) {
+    const std::vector<Point> core = files::points_of(*body->shape).value();
+    return is_in(body->shape->radius, format) &&
+           std::ranges::all_of(core, [format](const Point& p) { return is_in(p.x, format) && is_in(p.y, format); });
+  });
+}
+
 /// Returns nullptr if none has that name.
 const Case* find_real_case(std::string_view name) {
   const std::span<const Case> all = real_cases();
@@ -196,9 +228,10 @@ std::string_view name_of(Source source) {
     case Source::shape_family: return "shape_family";
     case Source::shape_catalogue: return "shape_catalogue";
     case Source::union_family: return "union_family";
-    case Source::union_catalogue: break;
+    case Source::union_catalogue: return "union_catalogue";
+    case Source::plane_family: break;
   }
-  return "union_catalogue";
+  return "plane_family";
 }
 
 std::string id_of(const Recipe& recipe, Form form) {
@@ -244,8 +277,11 @@ RecordBodies base_bodies(const Recipe& recipe) {
           return unions_of(entry.pair, KnownUnion{entry.status, entry.squared,
                                                   entry.status == Status::penetrating ? entry.optima : 0});
       break;
+    case Source::plane_family:
+      if (found) return plane_of(family->make(recipe.seed, recipe.size));
+      break;
   }
-  constexpr std::array what{"a case", "shapes", "unions"};
+  constexpr std::array what{"a case", "shapes", "unions", "bodies of the plane"};
   const char* const made = what.at(static_cast<std::size_t>(kind_of(recipe.source)));
   throw std::invalid_argument("there is nothing called '" + recipe.name + "' to make " + made + " from");
 }

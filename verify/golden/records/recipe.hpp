@@ -28,7 +28,8 @@ enum class Source {
   shape_family,     ///< a family of shapes
   shape_catalogue,  ///< an entry of the catalogue of shapes
   union_family,     ///< a family of unions of convex pieces
-  union_catalogue   ///< an entry of the catalogue of these
+  union_catalogue,  ///< an entry of the catalogue of these
+  plane_family      ///< a family of bodies of the plane
 };
 
 using families::Kind;  ///< which alternative of RecordBodies the bodies are
@@ -42,13 +43,15 @@ constexpr Kind kind_of(Source source) {
     case Source::shape_catalogue: return Kind::shapes;
     case Source::union_family:
     case Source::union_catalogue: return Kind::unions;
+    case Source::plane_family: return Kind::plane;
   }
   return Kind::polytopes;
 }
 
 /// Returns whether a case of this source has a size and a seed.
 constexpr bool from_family(Source source) {
-  return source == Source::family || source == Source::shape_family || source == Source::union_family;
+  return source == Source::family || source == Source::shape_family || source == Source::union_family ||
+         source == Source::plane_family;
 }
 
 struct Recipe {
@@ -67,8 +70,8 @@ enum class Form {
   binary32   ///< likewise to binary32, from the exact number
 };
 
-/// "family", "catalogue", "real", "shape_family", "shape_catalogue", "union_family" or
-/// "union_catalogue".
+/// "family", "catalogue", "real", "shape_family", "shape_catalogue", "union_family",
+/// "union_catalogue" or "plane_family".
 std::string_view name_of(Source source);
 
 constexpr std::string_view name_of(Form form) {
@@ -101,8 +104,8 @@ struct Unions {
 };
 
 /// Two bodies, in the order of Kind. The known answer about shapes, too, is set for the original
-/// bodies only.
-using RecordBodies = std::variant<HullPair, families::NamedPair, Unions>;
+/// bodies only. Bodies of the plane are all shapes: polygons, segments and points, with radii or 0.
+using RecordBodies = std::variant<HullPair, families::NamedPair, Unions, families::PlanePair>;
 
 /// The bodies of one record.
 struct FormedCase {

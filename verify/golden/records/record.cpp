@@ -12,6 +12,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/context.hpp"
 #include "kernels/messages.hpp"
+#include "reference/answer/plane.hpp"
 #include "reference/text/json_value.hpp"
 #include "verify/check/check.hpp"
 #include "verify/digest/sha256.hpp"
@@ -67,6 +68,15 @@ Answered answered(const families::NamedPair& shapes, const std::string& id, Moni
 Answered answered(const Unions& unions, const std::string& id, Monitor* monitor, Workspace*) {
   const UnionDepth answer = answer_about(unions.a, unions.b, monitor);
   return {truth_of(answer), certificate_text(unions.a, unions.b, answer, id, monitor)};
+}
+
+Answered answered(const families::PlanePair& plane, const std::string& id, Monitor* monitor, Workspace* workspace) {
+  Options options;
+  options.monitor = monitor;
+  options.workspace = workspace;
+  const Answer answer = answer_about(plane, options);
+  return {truth_of(answer),
+          answer::certificate_in_plane(plane.a, plane.b, answer, id, ShapeFormat::richest, monitor)};
 }
 
 Answered with_contacts(const RecordBodies& bodies, const std::string& id, Monitor* monitor) {
@@ -141,7 +151,8 @@ Value named(const std::array<Value, N>& values, const std::string& name) {
 void read_source(const JsonValue& source, ReadRecord& claimed) {
   Recipe& recipe = claimed.recipe;
   recipe.source = named(std::array{Source::family, Source::catalogue, Source::real, Source::shape_family,
-                                   Source::shape_catalogue, Source::union_family, Source::union_catalogue},
+                                   Source::shape_catalogue, Source::union_family, Source::union_catalogue,
+                                   Source::plane_family},
                         source.at("kind").string());
   recipe.name = source.at("name").string();
   if (from_family(recipe.source)) {

@@ -38,7 +38,8 @@ using Habits = std::vector<Habit>;
 
 namespace {
 
-constexpr std::array levels{Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1, Level::U0, Level::C0};
+constexpr std::array levels{Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1, Level::U0, Level::C0,
+                            Level::F0};
 
 /// Returns the levels up to this one in its chain.
 std::vector<Level> chain_to(Level level) {
@@ -65,6 +66,7 @@ constexpr LevelShare share_of(Level level) {
     case Level::P0: return {8, 8, 0};
     case Level::P1: return {80, 30, 0};
     case Level::U0: return {6, 6, 0};
+    case Level::F0: return {16, 8, 0};
     case Level::C0: break;
   }
   return {4, 8, 0};
@@ -138,8 +140,11 @@ Habit habit_of(Source source, const families::Family& family) {
 }
 
 Habits habits(Level level) {
-  constexpr std::array sources{Source::family, Source::shape_family, Source::union_family};
-  const Kind kind = level < Level::P0 ? Kind::polytopes : level < Level::U0 ? Kind::shapes : Kind::unions;
+  constexpr std::array sources{Source::family, Source::shape_family, Source::union_family, Source::plane_family};
+  const Kind kind = level < Level::P0     ? Kind::polytopes
+                    : level < Level::U0   ? Kind::shapes
+                    : level == Level::U0  ? Kind::unions
+                                          : Kind::plane;
   Habits result;
   const auto add = [&](const families::Family& family) {
     result.push_back(habit_of(sources.at(static_cast<std::size_t>(family.kind())), family));
@@ -280,7 +285,7 @@ std::string shard_name(Level level, std::size_t number) {
 }  // namespace
 
 std::string_view name_of(Level level) {
-  constexpr std::array<std::string_view, levels.size()> names{"L0", "L1", "L2", "L3", "P0", "P1", "U0", "C0"};
+  constexpr std::array<std::string_view, levels.size()> names{"L0", "L1", "L2", "L3", "P0", "P1", "U0", "C0", "F0"};
   return names[static_cast<std::size_t>(level)];
 }
 

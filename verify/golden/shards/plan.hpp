@@ -14,7 +14,7 @@
 
 namespace fathom::golden {
 
-/// Four chains, of polytopes, of shapes, of unions and of contacts; in each a level's cases are
+/// Five chains, of polytopes, of shapes, of unions, of contacts and of the plane; in each a level's cases are
 /// among those of the next. Judging a fast library takes about a second for L0 and P0, seconds for
 /// U0, ten seconds for L1 and P1, minutes for L2, two hours for L3.
 enum class Level {
@@ -25,10 +25,11 @@ enum class Level {
   P0,  ///< primitives: about a thousand records of shapes, hulls of 4 to 8 points among them
   P1,  ///< about ten thousand, hulls to 30 points
   U0,  ///< unions: hundreds of records, bodies of some 2 to 12 pieces
-  C0   ///< contacts: hundreds of records of polytopes and of shapes, with all points where they touch
+  C0,  ///< contacts: hundreds of records of polytopes and of shapes, with all points where they touch
+  F0   ///< flat: hundreds of records of bodies of the plane, of 3 to 8 points
 };
 
-/// "L0", "L1", "L2", "L3", "P0", "P1", "U0", "C0".
+/// "L0", "L1", "L2", "L3", "P0", "P1", "U0", "C0", "F0".
 std::string_view name_of(Level level);
 /// Returns whether its records are of polytopes alone, and have rows of CSV.
 constexpr bool of_polytopes(Level level) { return level < Level::P0; }
