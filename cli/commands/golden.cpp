@@ -66,12 +66,13 @@ std::string wrong_words(const std::string& list, const std::vector<std::string>&
   return "";
 }
 
-/// Returns the kinds of contact that facets of P have: others occur only for bodies that do not
-/// overlap.
+/// Returns the kinds of contact that facets of P have, and its edges in the plane: of two vertices
+/// only where bodies do not overlap.
 std::vector<std::string> kinds_of_contact() {
   std::vector<std::string> known;
-  for (int kind = 0; kind <= static_cast<int>(ContactKind::edge_edge); ++kind)
-    known.emplace_back(name(static_cast<ContactKind>(kind)));
+  for (int kind = 0; kind <= static_cast<int>(ContactKind::edge_vertex); ++kind)
+    if (static_cast<ContactKind>(kind) != ContactKind::vertex_vertex)
+      known.emplace_back(name(static_cast<ContactKind>(kind)));
   return known;
 }
 
