@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fathom golden` on bodies of the plane: level F0 is the same bytes on any number of threads, is proved, computed again, and refused where it
-is forged."""
+"""`fathom golden` on bodies of the plane: level F0 is the same bytes on any number of threads, is proved, computed again, exported, and
+refused where it is forged."""
 import json
 import os
 import pathlib
@@ -73,7 +73,8 @@ class Plane(LevelTests, GoldenTest):
 
     def test_schemas(self):
         record, good = self.validated()
-        for other in ({"dimension": 3}, {"a": {"vertices": [["0", "0", "0"]]}}, {"expected": {**good["expected"], "direction": ["1", "0", "0"]}}):
+        expected = {**good["expected"], "direction": ["1", "0", "0"]}
+        for other in ({"dimension": 3}, {"a": {"vertices": [["0", "0", "0"]]}}, {"expected": expected}):
             self.assertFalse(record.is_valid({**good, **other}), other)
 
     def test_records_are_cases(self):
@@ -93,7 +94,7 @@ class Plane(LevelTests, GoldenTest):
 
     def test_exported(self):
         """Polygons, in every format, with two coordinates: what the records say, read and judged alike in each language."""
-        records = {line["id"]: line for line in map(json.loads, self.all_lines()) if "margin" not in line["a"] and "margin" not in line["b"]}
+        records = {line["id"]: line for line in map(json.loads, self.all_lines()) if not any("margin" in line[body] for body in "ab")}
         for name in ("c", "csv", "json", "rust"):
             (self.folder / f"cases.{name}").write_text(self.answer("golden", "export", "--format", name, self.release))
         validator(ROOT / "verify/golden/golden-export.schema.json").validate(json.loads((self.folder / "cases.json").read_text()))
@@ -142,7 +143,7 @@ class Plane(LevelTests, GoldenTest):
         self.assertEqual({case["family"] for case in json.loads(text)["cases"]}, {"plane_parallel_edges"})
         proofs = self.folder / "proofs.cert"
         chosen = self.answer("golden", "export", "--format", "json", "--count", "20", "--certificates", proofs, self.release)
-        self.assertRegex(self.answer("check", "--case", self.file("chosen.json", chosen), proofs), "(s VERIFIED [^\\n]* dimension=2[^\\n]*\\n){20}")
+        self.assertRegex(self.answer("check", "--case", self.file("chosen.json", chosen), proofs), "(s VERIFIED [^\n]* dimension=2[^\n]*\n){20}")
 
     def test_forged(self):
         number = next(i for i, line in enumerate(self.lines()) if json.loads(line)["expected"]["status"] == "penetrating")

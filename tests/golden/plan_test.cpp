@@ -198,8 +198,8 @@ TEST(Plan, FamiliesThatIgnoreTheSeedHaveOneCaseOfASize) {
 }
 
 TEST(Plan, LevelsHaveNames) {
-  for (const Level level : {Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1, Level::U0, Level::C0,
-                            Level::F0})
+  for (const Level level :
+       {Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1, Level::U0, Level::C0, Level::F0})
     EXPECT_EQ(find_level(name_of(level)), level);
   EXPECT_FALSE(find_level("L4"));
   EXPECT_FALSE(find_level("P2"));
@@ -218,8 +218,9 @@ TEST(Recipe, IdsSayWhereTheCaseIsFrom) {
   EXPECT_EQ(id_of({Source::union_catalogue, "slot_filled"}), "union_catalogue-slot_filled");
   EXPECT_EQ(id_of({Source::plane_family, "plane_far", 7, 12}, Form::binary32), "plane_far-n7-s12.b32");
   EXPECT_EQ(cases_of({Source::real, "fcl-545"}).front().id, "real-fcl-545");
-  for (const Source source : {Source::family, Source::catalogue, Source::real, Source::shape_family,
-                              Source::shape_catalogue, Source::union_family, Source::union_catalogue, Source::plane_family})
+  for (const Source source :
+       {Source::family, Source::catalogue, Source::real, Source::shape_family, Source::shape_catalogue,
+        Source::union_family, Source::union_catalogue, Source::plane_family})
     EXPECT_THROW(base_bodies({source, "no_such_thing", 8, 1}), std::invalid_argument);
 }
 

@@ -48,9 +48,9 @@ TEST(PlaneRecord, SaysWhatOthersSayAboutTheCaseThatItIs) {
         EXPECT_EQ(expected["status"], answer.status_name()) << record.id;
         EXPECT_EQ(hex(expected["signed_depth"]["f64"]["rn"]), answer.nearest_binary64()) << record.id;
         EXPECT_EQ(hex(expected["signed_depth"]["low"]), answer.low_binary64()) << record.id;
-        const Surd value{read(expected["signed_depth"]["exact"]["plus"]),
-                         read(expected["signed_depth"]["exact"]["root"]) *
-                             expected["signed_depth"]["exact"]["sign"].get<int>()};
+        const Surd value{
+            read(expected["signed_depth"]["exact"]["plus"]),
+            read(expected["signed_depth"]["exact"]["root"]) * expected["signed_depth"]["exact"]["sign"].get<int>()};
         EXPECT_EQ(compare(value, *answer.exact()), 0) << record.id;
         statuses.insert(expected["status"]);
         const Json& ways = expected["translations"];
@@ -89,7 +89,8 @@ TEST(PlaneRecord, TheSecondWaySeesAnotherDepth) {
   EXPECT_FALSE(disagreement_with(Method::naive, record.line));
   Json line = Json::parse(record.line);
   line["expected"]["signed_depth"]["exact"]["plus"] = "7";
-  EXPECT_EQ(disagreement_with(Method::naive, line.dump()).value_or("").find("by the method naive: expected.signed"), 0u);
+  EXPECT_EQ(disagreement_with(Method::naive, line.dump()).value_or("").find("by the method naive: expected.signed"),
+            0u);
 }
 
 TEST(PlaneRecord, NoRoundingThatOverflowsOrLeavesNoRadius) {

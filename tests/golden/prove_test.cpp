@@ -138,19 +138,27 @@ TEST_P(EveryKind, ASizeOfFourBillionIsRefused) {
 /// One of each status, source and form: ties, flat bodies, a gap that is null.
 std::vector<Record> specimens() {
   std::vector<Record> result;
-  for (const Recipe& recipe :
-       {Recipe{Source::family, "random_ball", 6, 2}, Recipe{Source::family, "exact_ties", 6, 2},
-        Recipe{Source::family, "boxes_posed", 6, 1}, Recipe{Source::family, "touching_edge_face", 4, 1},
-        Recipe{Source::family, "random_disjoint", 4, 1}, Recipe{Source::family, "solid_polygon", 4, 3},
-        Recipe{Source::real, "fcl-545"}, Recipe{Source::shape_family, "capsules", 8, 1},
-        Recipe{Source::shape_family, "rounded_hulls", 8, 4}, Recipe{Source::shape_family, "cones", 8, 1},
-        Recipe{Source::shape_family, "shapes_halfspace", 8, 3},
-        Recipe{Source::shape_catalogue, "sphere_centre_on_vertex"},
-        Recipe{Source::shape_catalogue, "spheres_concentric"}, Recipe{Source::union_catalogue, "slot_exact_fit"},
-        Recipe{Source::union_catalogue, "gap_of_a_body"}, Recipe{Source::catalogue, "contact_facet_facet", 0, 0, true},
-        Recipe{Source::catalogue, "touching_edge_face", 0, 0, true},
-        Recipe{Source::shape_family, "capsule_box", 8, 1, true}, Recipe{Source::plane_family, "plane_ties", 6, 2},
-        Recipe{Source::plane_family, "plane_touching", 6, 1}, Recipe{Source::plane_family, "plane_rounded", 6, 1}}) {
+  for (const Recipe& recipe : {Recipe{Source::family, "random_ball", 6, 2},
+                               Recipe{Source::family, "exact_ties", 6, 2},
+                               Recipe{Source::family, "boxes_posed", 6, 1},
+                               Recipe{Source::family, "touching_edge_face", 4, 1},
+                               Recipe{Source::family, "random_disjoint", 4, 1},
+                               Recipe{Source::family, "solid_polygon", 4, 3},
+                               Recipe{Source::real, "fcl-545"},
+                               Recipe{Source::shape_family, "capsules", 8, 1},
+                               Recipe{Source::shape_family, "rounded_hulls", 8, 4},
+                               Recipe{Source::shape_family, "cones", 8, 1},
+                               Recipe{Source::shape_family, "shapes_halfspace", 8, 3},
+                               Recipe{Source::shape_catalogue, "sphere_centre_on_vertex"},
+                               Recipe{Source::shape_catalogue, "spheres_concentric"},
+                               Recipe{Source::union_catalogue, "slot_exact_fit"},
+                               Recipe{Source::union_catalogue, "gap_of_a_body"},
+                               Recipe{Source::catalogue, "contact_facet_facet", 0, 0, true},
+                               Recipe{Source::catalogue, "touching_edge_face", 0, 0, true},
+                               Recipe{Source::shape_family, "capsule_box", 8, 1, true},
+                               Recipe{Source::plane_family, "plane_ties", 6, 2},
+                               Recipe{Source::plane_family, "plane_touching", 6, 1},
+                               Recipe{Source::plane_family, "plane_rounded", 6, 1}}) {
     result.push_back(records_of(recipe).back());
   }
   return result;

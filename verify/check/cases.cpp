@@ -17,12 +17,12 @@ class CaseReader {
   CaseReader(const Json& value, std::size_t line, Budget& budget, bool of_export)
       : case_(&value), line_(line), budget_(&budget), of_export_(of_export) {
     if (value.kind != Kind::object) throw wrong("a case, a JSON object");
+    dimension_ = dimension();
     if (of_export) return;
     const Json* const schema = value.field("schema", line);
     if (schema && (schema->kind != Kind::text || schema->text != "fathom/case/1"))
       throw wrong("the schema fathom/case/1 or fathom/golden-export/1");
     rounded_ = is_rounded(value);
-    dimension_ = dimension();
   }
 
   [[nodiscard]] std::string id() const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   a release of polytopes, or of polygons, or a file of the user's own cases, and a selection among them.
+// Input   a release of polytopes or of polygons, or a file of the user's own cases, and a selection
+//         among them.
 // Output  one file with these cases, for the tests of other projects, and their certificates. The
 //         same input and request give the same bytes.
 #pragma once
@@ -65,9 +66,9 @@ struct ExportCase {
   unsigned dimension = 3;  ///< 2 of bodies of the plane: then each z above is 0, and is not written
 };
 
-/// Returns the record of polytopes, or of polygons of the plane, in this form. Returns nullopt if a coordinate is not binary64,
-/// or a number to export is beyond binary64. Throws NotARecord, also for a text that the writer of
-/// records never writes.
+/// Returns the record of polytopes, or of polygons of the plane, in this form. Returns nullopt if a
+/// coordinate is not binary64, or a number to export is beyond binary64. Throws NotARecord, also
+/// for a text that the writer of records never writes.
 std::optional<ExportCase> export_case(std::string_view line);
 
 /// Returns the words that select cases: the flags, their first words ("flat"), and every status.
@@ -84,8 +85,9 @@ struct Exported {
 };
 
 /// Reads the folder twice, so that memory is bounded by the size of the export. Throws FolderError
-/// if the release is not one of polytopes or polygons, or no record fits; FileError for unreadable files, for
-/// records that are none, and for contents that differ from the release's pages; Interrupted.
+/// if the release is not one of polytopes or polygons, or no record fits; FileError for unreadable
+/// files, for records that are none, and for contents that differ from the release's pages;
+/// Interrupted.
 Exported export_release(const std::filesystem::path& folder, const ExportRequest& request, Monitor* monitor = nullptr);
 
 /// Answers each case of a file of polytopes once, and certifies the answers; `path` may be "-".

@@ -323,14 +323,15 @@ std::string rust_entry(const ExportCase& entry) {
       "directions: &{},\n        patches: &[{}],\n        gradient: {},\n    }},\n",
       entry.name, status, decimal_text(entry.signed_depth), entry.squared, quoted_list(entry.flags),
       decimal_text(entry.size), decimal_text(entry.largest), bracketed(entry.a, entry.dimension),
-      bracketed(entry.b, entry.dimension), bracketed(entry.directions, entry.dimension), listed(entry.patches, ", ", [](const Triples& p) { return '&' + bracketed(p); }),
+      bracketed(entry.b, entry.dimension), bracketed(entry.directions, entry.dimension),
+      listed(entry.patches, ", ", [](const Triples& p) { return '&' + bracketed(p); }),
       entry.gradient ? "Some(" + bracketed(gradient_of(entry)) + ")" : "None");
 }
 
 std::string rust_text(const ExportSource& source, const std::vector<ExportCase>& cases) {
-  std::string text = fmt::format("{}\n{}#[allow(clippy::excessive_precision)]\npub static CASES: [Case{}; {}] = [\n",
-                                 kit_in_rust(), about(source, cases.size(), "// "),
-                                 cases.front().dimension == 2 ? "<2>" : "", cases.size());
+  std::string text =
+      fmt::format("{}\n{}#[allow(clippy::excessive_precision)]\npub static CASES: [Case{}; {}] = [\n", kit_in_rust(),
+                  about(source, cases.size(), "// "), cases.front().dimension == 2 ? "<2>" : "", cases.size());
   for (const ExportCase& entry : cases) text += rust_entry(entry);
   return text + "];\n";
 }

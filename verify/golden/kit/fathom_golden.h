@@ -62,7 +62,8 @@ typedef struct fathom_golden_tolerance {
   double relative, absolute;
 } fathom_golden_tolerance;
 
-/* The greatest <u,p> of the points, which have three coordinates; in the plane two, and u has a third, 0. */
+/* The greatest <u,p> of the points, which have three coordinates; in the plane two, and u has a
+ * third, 0. */
 FATHOM_GOLDEN_FUNCTION double fathom_golden_support(const double *points, size_t count, int dimension, const double u[3])
 {
   double greatest = -HUGE_VAL;
@@ -75,8 +76,9 @@ FATHOM_GOLDEN_FUNCTION double fathom_golden_support(const double *points, size_t
   return greatest;
 }
 
-/* The separating distance of a direction of any length, which has as many numbers as a point; HUGE_VAL if it is zero, infinite or NaN. It
- * is off by less than 2^-47 of the largest coordinate (and 2^-1068). */
+/* The separating distance of a direction of any length, which has as many numbers as a point;
+ * HUGE_VAL if it is zero, infinite or NaN. It is off by less than 2^-47 of the largest coordinate
+ * (and 2^-1068). */
 FATHOM_GOLDEN_FUNCTION double fathom_golden_separating_distance(const fathom_golden_case *golden, const double *direction)
 {
   double u[3] = {0, 0, 0}, minus_u[3] = {0, 0, 0}, longest = 0;

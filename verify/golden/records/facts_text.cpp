@@ -287,8 +287,7 @@ void write_value(JsonStream& out, const ShapeStatement& truth) {
 
 void write_cone(JsonStream& out, const OptimalCone& cone, unsigned dimension) {
   out.key("optimal_cone").open('{').key("lineality").plain(output::lineality_name(cone)).key("axis");
-  if (cone.lineality == Lineality::line || cone.lineality == Lineality::plane)
-    write_vector(out, cone.axis, dimension);
+  if (cone.lineality == Lineality::line || cone.lineality == Lineality::plane) write_vector(out, cone.axis, dimension);
   else out.null();
   out.key("rays").open('[');
   for (const Vector& ray : cone.rays) write_vector(out, ray, dimension);

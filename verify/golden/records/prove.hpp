@@ -67,6 +67,9 @@ RecordStatement proved_truth(const FormedCase& made, const std::optional<Witness
 /// unless they touch, each derivative.
 ContactFacts proved_contacts(const FormedCase& made, std::string_view certificate);
 
+/// Returns the case of this form. Throws NotProved if there is none.
+const FormedCase& case_in(const std::vector<FormedCase>& cases, Form form);
+
 // ---- recomputation ----
 
 // Compares a record with results about its bodies that are computed without its certificate and

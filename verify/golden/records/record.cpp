@@ -75,8 +75,7 @@ Answered answered(const families::PlanePair& plane, const std::string& id, Monit
   options.monitor = monitor;
   options.workspace = workspace;
   const Answer answer = answer_about(plane, options);
-  return {truth_of(answer),
-          answer::certificate_in_plane(plane.a, plane.b, answer, id, ShapeFormat::richest, monitor)};
+  return {truth_of(answer), answer::certificate_in_plane(plane.a, plane.b, answer, id, ShapeFormat::richest, monitor)};
 }
 
 Answered with_contacts(const RecordBodies& bodies, const std::string& id, Monitor* monitor) {
@@ -150,10 +149,10 @@ Value named(const std::array<Value, N>& values, const std::string& name) {
 
 void read_source(const JsonValue& source, ReadRecord& claimed) {
   Recipe& recipe = claimed.recipe;
-  recipe.source = named(std::array{Source::family, Source::catalogue, Source::real, Source::shape_family,
-                                   Source::shape_catalogue, Source::union_family, Source::union_catalogue,
-                                   Source::plane_family},
-                        source.at("kind").string());
+  recipe.source =
+      named(std::array{Source::family, Source::catalogue, Source::real, Source::shape_family, Source::shape_catalogue,
+                       Source::union_family, Source::union_catalogue, Source::plane_family},
+            source.at("kind").string());
   recipe.name = source.at("name").string();
   if (from_family(recipe.source)) {
     recipe.size = static_cast<unsigned>(source.at("size").natural(std::numeric_limits<unsigned>::max()));

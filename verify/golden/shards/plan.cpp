@@ -38,8 +38,8 @@ using Habits = std::vector<Habit>;
 
 namespace {
 
-constexpr std::array levels{Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1, Level::U0, Level::C0,
-                            Level::F0};
+constexpr std::array levels{Level::L0, Level::L1, Level::L2, Level::L3, Level::P0,
+                            Level::P1, Level::U0, Level::C0, Level::F0};
 
 /// Returns the levels up to this one in its chain.
 std::vector<Level> chain_to(Level level) {
@@ -141,10 +141,10 @@ Habit habit_of(Source source, const families::Family& family) {
 
 Habits habits(Level level) {
   constexpr std::array sources{Source::family, Source::shape_family, Source::union_family, Source::plane_family};
-  const Kind kind = level < Level::P0     ? Kind::polytopes
-                    : level < Level::U0   ? Kind::shapes
-                    : level == Level::U0  ? Kind::unions
-                                          : Kind::plane;
+  const Kind kind = level < Level::P0    ? Kind::polytopes
+                    : level < Level::U0  ? Kind::shapes
+                    : level == Level::U0 ? Kind::unions
+                                         : Kind::plane;
   Habits result;
   const auto add = [&](const families::Family& family) {
     result.push_back(habit_of(sources.at(static_cast<std::size_t>(family.kind())), family));

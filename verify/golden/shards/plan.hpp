@@ -14,9 +14,9 @@
 
 namespace fathom::golden {
 
-/// Five chains, of polytopes, of shapes, of unions, of contacts and of the plane; in each a level's cases are
-/// among those of the next. Judging a fast library takes about a second for L0 and P0, seconds for
-/// U0, ten seconds for L1 and P1, minutes for L2, two hours for L3.
+/// Five chains, of polytopes, of shapes, of unions, of contacts and of the plane; in each a level's
+/// cases are among those of the next. Judging a fast library takes about a second for L0 and P0,
+/// seconds for U0, ten seconds for L1 and P1, minutes for L2, two hours for L3.
 enum class Level {
   L0,  ///< hundreds of records, bodies of 4 to 12 points
   L1,  ///< about ten thousand, to 30 points
