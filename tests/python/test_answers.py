@@ -316,6 +316,15 @@ def test_golden_records_of_unions(tmp_path):
         assert (hit.status, hit.squared) == (record.status, record.depth_squared), record.id
 
 
+def test_golden_records_of_the_plane(tmp_path):
+    records = list(golden_data(tmp_path, "F0"))
+    assert len(records) > 200
+    for record in records:
+        hit, value = fathom.depth(record.a, record.b), record.fields["expected"]["signed_depth"]
+        assert (hit.status, hit.direction.shape) == (record.status, (2,)), record.id
+        assert hit.signed_depth == float.fromhex(value["f64"]["rn"]), record.id
+
+
 def test_overlap_needs_no_depth():
     for shift in (-2, -1, -0.5, 0, 0.5, 1, 2):
         other = CUBE + [shift, 0.25, 0]

@@ -65,7 +65,7 @@ class Record(NamedTuple):
 
 
 def golden(path: str | os.PathLike[str]) -> Iterator[Record]:
-    """Reads a shard of golden data, a file .jsonl.zst, or all shards of a folder: of polytopes, shapes or unions.
+    """Reads a shard of golden data, a file .jsonl.zst, or all shards of a folder: of polytopes, shapes, unions or of the plane.
 
     A record that is none raises ValueError when its turn comes; who goes on with `next` gets the one behind it.
 
