@@ -151,8 +151,7 @@ using Directions = std::vector<SmallVector>;  ///< ascending, each once
 
 Directions sorted(Directions directions) {
   std::ranges::sort(directions);
-  const auto rest = std::ranges::unique(directions);
-  directions.erase(rest.begin(), rest.end());
+  directions.erase(std::unique(directions.begin(), directions.end()), directions.end());
   return directions;
 }
 

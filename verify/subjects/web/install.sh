@@ -56,7 +56,11 @@ version=$("$node" --version)
 mkdir -p "$to"
 # npm needs a HOME that can be written: with another it fails, or reads it all.
 if test=$(mktemp -d -p "${HOME-/}" 2>/dev/null); then rmdir "$test"; else export HOME=$to/home && mkdir -p "$HOME"; fi
-cp "$from"/*.mjs "$from/package.json" "$from/package-lock.json" "$from/../kit/fathom_subject.mjs" "$to" || fail "cannot write to $to"
+# A file is there whole or not at all: adapters may be running.
+for file in "$from"/*.mjs "$from/package.json" "$from/package-lock.json" "$from/../kit/fathom_subject.mjs"; do
+  there=$to/${file##*/}
+  cmp -s "$file" "$there" || { cp "$file" "$there.$$" && mv "$there.$$" "$there"; } || fail "cannot write to $to"
+done
 install_packages "$to"
 if [[ ${4-} == history ]]; then
   cp -R "$from/history" "$to"
