@@ -246,10 +246,9 @@ def of_space(results):
 
 
 def plane_table(results):
-    """Returns a table of the engines of the plane: what is asked, and what each family comes to."""
+    """Returns a table of the engines of the plane, what each family comes to, and what is called."""
     subjects = [subject for subject in results["subjects"] if "plane" in subject["sets"]]
     rows = [["version", *(subject["hello"]["version"] for subject in subjects)],
-            ["call", *(f"`{subject['hello']['settings']['call']}`" for subject in subjects)],
             ["bits", *map(bits, subjects)], ["judged", *(judged(subject, "plane") for subject in subjects)]]
     for family, cases in results["sets"]["plane"]["rows"].items():
         counts = [subject["sets"]["plane"]["cells"][family]["n"] for subject in subjects]
@@ -259,7 +258,8 @@ def plane_table(results):
     for group in results["groups"]:
         rows.append([f"all, {group}", *(subject["sets"]["plane"]["groups"].get(group, "") for subject in subjects)])
     rows.append(["all, right in status and depth", *(subject["sets"]["plane"]["alone"] for subject in subjects)])
-    return table(["", *(subject["adapter"] for subject in subjects)], rows)
+    calls = "; ".join(f"{subject['adapter']} `{subject['hello']['settings']['call']}`" for subject in subjects)
+    return table(["", *(subject["adapter"] for subject in subjects)], rows) + "\n" + wrapped(f"The calls: {calls}.")
 
 
 def sets_table(results):
