@@ -46,8 +46,7 @@ void tell_of_file(const std::string& input, const Body& body) {
 Body union_of_input(const std::string& input, const BodiesRequest& request) {
   Body body = files::read_union(input, request.decimals, [&](const files::NamedPiece& piece, std::size_t number) {
     if (piece.mesh.shape) return true;  // refused by the reader
-    if (!(piece.mesh.dimension == 2 ? answer::is_flat_in_plane(piece.mesh) : is_flat(hull(piece.mesh.points.exact()))))
-      return true;
+    if (!answer::is_flat_body(piece.mesh)) return true;
     const std::string which =
         fmt::format("piece {}{}", number, piece.name.empty() ? "" : fmt::format(" ({})", kernels::shown(piece.name)));
     if (!request.skip_flat)

@@ -230,12 +230,9 @@ Answer exact_answer(const Body& a, const Body& b, const Question& question) {
 }
 
 BodyFacts facts_of(const Body& a, const Body& b, const Answer& answer) {
-  const auto flat = [&](const Body& body) {
-    return answer.prisms ? answer::is_flat_in_plane(body) : is_flat(files::shape_of(body));
-  };
   return std::visit(ByKind{[](const Depth& depth) { return BodyFacts(depth); },
                            [&](const SignedDepth&) {
-                             return BodyFacts{flat(a), flat(b)};
+                             return BodyFacts{answer::is_flat_body(a), answer::is_flat_body(b)};
                            },
                            [](const UnionDepth&) { return BodyFacts(); }},
                     answer.found);

@@ -111,8 +111,8 @@ Depth mapped(const Body& a, const Body& b, const Depth& of_prisms) {
     return mapped(contact, count_a, count_b);
   };
   Depth depth;
-  depth.flat_a = is_flat_in_plane(a);
-  depth.flat_b = is_flat_in_plane(b);
+  depth.flat_a = is_flat_body(a);
+  depth.flat_b = is_flat_body(b);
   depth.extreme_a = of_prisms.extreme_a;
   depth.extreme_b = of_prisms.extreme_b / 2;
   depth.method = of_prisms.method;
@@ -209,7 +209,8 @@ Answer in_plane(const Body& a, const Body& b, Answer of_prisms) {
   return std::visit([&](const auto& found) { return Answer{mapped(a, b, found), std::move(prisms)}; }, prisms->found);
 }
 
-bool is_flat_in_plane(const Body& body) {
+bool is_flat_body(const Body& body) {
+  if (body.dimension == 3) return !body.pieces && is_flat(files::shape_of(body));
   if (body.pieces || (body.shape && (body.shape->radius > 0 || shapes::is_halfspace(*body.shape)))) return false;
   bool flat = true;
   for_each_hull(body, [&](const std::vector<Point>& points) {

@@ -53,7 +53,8 @@ constexpr ContactKind kind_in_plane(bool edge_a, bool edge_b) {
 /// What the answer about the prisms says of the bodies.
 Answer in_plane(const Body& a, const Body& b, Answer of_prisms);
 
-/// Whether a body of the plane has no interior.
-bool is_flat_in_plane(const Body& body);
+/// Whether a body of the plane has no interior there, or one of space none in space. Pieces have
+/// interiors.
+bool is_flat_body(const Body& body);
 
 }  // namespace fathom::answer

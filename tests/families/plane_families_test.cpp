@@ -47,7 +47,7 @@ TEST(PlaneFamilies, MadeAsTheirNamesSay) {
          {"plane_ties", "plane_identical", "plane_nested", "plane_parallel_edges", "plane_tilted_edges"})
       EXPECT_EQ(status_of(made(deep)), Status::penetrating) << deep << ' ' << seed;
     const Case flat = made("plane_flat");
-    EXPECT_TRUE(answer::is_flat_in_plane(flat.a) || answer::is_flat_in_plane(flat.b)) << seed;
+    EXPECT_TRUE(answer::is_flat_body(flat.a) || answer::is_flat_body(flat.b)) << seed;
     const Case ties = made("plane_ties");
     EXPECT_GE(std::get<Depth>(exact_answer(ties.a, ties.b).found).optima().size(), 2U) << seed;
     const Case parallel = made("plane_parallel_edges");

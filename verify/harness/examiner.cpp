@@ -16,6 +16,7 @@
 
 #include "fathom/shape.hpp"
 #include "kernels/messages.hpp"
+#include "reference/answer/plane.hpp"
 #include "reference/files/file_io.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/shapes/core.hpp"
@@ -71,7 +72,7 @@ bool has_usual_size(const Body& body) {
 // Reports count separately the cases for which every engine is made. [docs/certify.md]
 
 /// Returns whether both bodies have a volume, or in the plane an area, exactly.
-bool is_solid(const Case& pair) { return !is_flat_body(pair.a) && !is_flat_body(pair.b); }
+bool is_solid(const Case& pair) { return !answer::is_flat_body(pair.a) && !answer::is_flat_body(pair.b); }
 
 /// Returns whether the length exceeds the longest side of the bodies' bounding boxes.
 bool is_dwarfed_by(const mpq_class& length, const Case& pair) { return length > 0 && length > sizes_of(pair).extent; }

@@ -63,15 +63,10 @@ mpq_class squared_way(const Body& from, const Body& to) {
 
 }  // namespace
 
-bool is_flat_body(const Body& body) {
-  if (body.pieces) return false;  // pieces have interiors
-  return body.dimension == 2 ? answer::is_flat_in_plane(body) : is_flat(files::shape_of(body));
-}
-
 bool is_flat_piece(const Body& body, std::size_t piece) {
   Body alone{pieces_of(body)[piece]};
   alone.dimension = body.dimension;
-  return is_flat_body(alone);
+  return answer::is_flat_body(alone);
 }
 
 namespace {
@@ -105,7 +100,7 @@ struct SubjectView {
       if (!rounded) return std::nullopt;
       pieces[i] = rounded->points.exact();
       rounded->dimension = body.dimension;
-      if (is_flat_body(*rounded))
+      if (answer::is_flat_body(*rounded))
         return nothing(fmt::format("piece {} of {} has no interior in {}, the precision of the subject", i, name,
                                    fathom::name(format.points)));
     }

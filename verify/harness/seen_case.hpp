@@ -36,10 +36,7 @@ std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const 
 /// half of it; 0 without a size, and for a point on a point. The size is above 0.
 long exponent_to_fit(const Case& pair, const std::optional<mpq_class>& size);
 
-/// Returns whether the body has no interior, exactly: in the plane, no area. A union counts as one
-/// that has.
-bool is_flat_body(const Body& body);
-/// Returns the same of a piece of a union.
+/// Returns whether a piece of a union has no interior, exactly: in the plane, no area.
 bool is_flat_piece(const Body& body, std::size_t piece);
 
 /// Returns the sizes of the bodies, those of shapes rounded up.

@@ -144,12 +144,9 @@ py::object pieces_in_python(const Body& body) {
 
 /// Returns whether the body has no interior; of a union, whether no piece has one.
 bool has_no_interior(const Body& body) {
-  const auto flat = [](const Body& one) {
-    return one.dimension == 2 ? answer::is_flat_in_plane(one) : is_flat(files::shape_of(one));
-  };
-  if (!body.pieces) return flat(body);
+  if (!body.pieces) return answer::is_flat_body(body);
   return std::ranges::all_of(*body.pieces, [&](const std::vector<Point>& piece) {
-    return flat({.points = piece, .dimension = body.dimension});
+    return answer::is_flat_body({.points = piece, .dimension = body.dimension});
   });
 }
 

@@ -322,7 +322,7 @@ void write_expected(JsonStream& out, const ShapeStatement& truth, const RecordBo
 
 void write_expected(JsonStream& out, const PlaneStatement& truth, const RecordBodies& bodies) {
   const auto& [a, b] = std::get<families::PlanePair>(bodies);
-  write_signed_depth(out, truth.shapes, {answer::is_flat_in_plane(a), answer::is_flat_in_plane(b)}, 2, truth.contacts);
+  write_signed_depth(out, truth.shapes, {answer::is_flat_body(a), answer::is_flat_body(b)}, 2, truth.contacts);
 }
 
 void write_expected(JsonStream& out, const UnionStatement& truth, const RecordBodies&) {
