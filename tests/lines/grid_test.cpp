@@ -216,7 +216,7 @@ TEST(Clearing, NeverClearsANearerPair) {
     const families::Family* family = families::find_family(name);
     ASSERT_NE(family, nullptr) << name;
     int audited = 0;
-    for (unsigned seed = 1; audited < 4 && seed <= 6; ++seed) {
+    for (unsigned seed = 1; audited < 2 && seed <= 6; ++seed) {
       const Case made = family->make(seed, 40);
       int of_this = 0;
       PreparedGrids(seed % 2 == 0 ? turned(made) : made).for_each([&](const Grid& grid) {
@@ -227,7 +227,7 @@ TEST(Clearing, NeverClearsANearerPair) {
       });
     }
   }
-  EXPECT_GE(sums.blocks, 500000U);
+  EXPECT_GE(sums.blocks, 250000U);
   EXPECT_GE(sums.vertex, sums.blocks / 20);
   EXPECT_GE(sums.frame, sums.blocks / 20);
   EXPECT_GE(sums.wide, sums.frame / 7);
@@ -311,9 +311,9 @@ void expect_engines_agree(const Grid& grid, std::uint64_t seed, const std::strin
   }
 }
 
-TEST(Engines, AgreeOnTwoThousandCanonicalPairs) {
+TEST(Engines, AgreeOnAThousandCanonicalPairs) {
   std::size_t pairs = 0, large = 0;
-  for (unsigned seed = 1; pairs < 2000; ++seed) {
+  for (unsigned seed = 1; pairs < 1000; ++seed) {
     ASSERT_LT(seed, 40U);
     for (const families::Family& family : families::families()) {
       std::size_t of_case = 0;
@@ -327,8 +327,8 @@ TEST(Engines, AgreeOnTwoThousandCanonicalPairs) {
       });
     }
   }
-  EXPECT_GE(pairs, 2000U);
-  EXPECT_GE(large, 100U);
+  EXPECT_GE(pairs, 1000U);
+  EXPECT_GE(large, 50U);
 }
 
 // Whole families of canonical pairs with one global best, as the pipeline runs them: every family,

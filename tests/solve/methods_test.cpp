@@ -272,9 +272,9 @@ TEST(Width, EqualsCgalsCalipers) {
 }
 
 // Larger bodies, by both methods.
-TEST(Width, EqualsCgalsCalipersUpTo400Vertices) {
+TEST(Width, EqualsCgalsCalipersUpTo200Vertices) {
   for (const char* name : {"random_sphere", "crossed_fans", "prisms_posed"}) {
-    for (const unsigned size : {100U, 400U}) {
+    for (const unsigned size : {100U, 200U}) {
       const Case input = families::find_family(name)->make(1, size);
       const mpq_class calipers = oracles::width_oracle(input.a.points).squared;
       for (const Method method : {Method::exact, Method::automatic})
