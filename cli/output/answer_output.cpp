@@ -481,17 +481,7 @@ std::string answer_line(const AnsweredCase& answered, const AnswerForm& asked) {
 }
 
 picture::PairScene answer_scene(const Case& bodies, const AnsweredCase& answered, const AnswerForm& form) {
-  const bool plane = bodies.a.dimension == 2;
-  const auto scene_of = [&] {
-    if (const Depth* const depth = polytopes(answered.answer))
-      return picture::scene_of({bodies.a.points, bodies.b.points, *depth, plane});
-    if (const SignedDepth* const depth = shapes_of(answered.answer))
-      return picture::scene_of(files::shape_of(bodies.a), files::shape_of(bodies.b), *depth, plane);
-    return picture::scene_of(pieces_of(bodies.a), pieces_of(bodies.b), *unions(answered.answer), 0, std::nullopt,
-                             plane);
-  };
-  picture::PairScene scene = scene_of();
-  scene.plane = plane;
+  picture::PairScene scene = picture::scene_of(bodies.a, bodies.b, answered.answer);
   if (answered.manifold && form.patch) scene.patches = drawn_patches(answered.manifold->geometry);
   return scene;
 }

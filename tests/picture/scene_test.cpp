@@ -216,7 +216,7 @@ TEST(Scene, ThePlaneIsSeenFromAbove) {
   const Shape square = hull(std::vector<Point>{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}});
   const Shape below = halfspace({1, 2, 0}, 3);
   SignedDepth depth = signed_depth(square, below);
-  const PairScene scene = scene_of(square, below, depth, true);
+  const PairScene scene = scene_of(square, below, depth, std::nullopt, true);
   const Window window = panels_of(scene, size).front().window;
   const Dot o = window.dot({}), x = window.dot({1, 0, 0}), y = window.dot({0, 1, 0}), z = window.dot({0, 0, 1});
   EXPECT_GT(x.x, o.x);

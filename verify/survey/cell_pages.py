@@ -40,10 +40,13 @@ def truth(result):
     return result["status"] + (f", depth {depth}" if depth and result["status"] == "penetrating" else "")
 
 
+def is_of_plane(line):
+    return json.loads(line).get("dimension") == 2
+
+
 def reproducer(line, adapters):
     commands = [f"fathom certify --adapter {adapter} --html {adapter}.html --certificates proofs case.jsonl" for adapter in adapters]
-    in_plane = json.loads(line).get("dimension") == 2
-    smaller = [] if in_plane else [f"fathom certify --adapter {adapters[0]} --shrink small case.jsonl"]
+    smaller = [] if is_of_plane(line) else [f"fathom certify --adapter {adapters[0]} --shrink small case.jsonl"]
     return "\n".join(["cat > case.jsonl <<'END'", line, "END", "fathom depth --svg pictures --certificate proofs case.jsonl", *commands,
                       *smaller])
 
@@ -53,7 +56,8 @@ def case_article(case, line, what, failing, certificate):
     image = ""
     if picture:
         data = base64.b64encode(picture.encode()).decode()
-        image = f'<img alt="{e(case)}: both bodies across the shortest way out" src="data:image/svg+xml;base64,{data}">'
+        seen = "in the plane" if is_of_plane(line) else "across the shortest way out"
+        image = f'<img alt="{e(case)}: both bodies {seen}" src="data:image/svg+xml;base64,{data}">'
     items = "".join(f"<li><b>{adapter}</b> <code>{verdict}</code>: {e(said)}</li>" for adapter, verdict, said in failing)
     proof = f'<p><a href="{certificate}">The certificate</a>, for <code>fathom check</code>.</p>' if certificate else ""
     return (f'<article id="c-{file_name(case)}"><h3>{e(case)}</h3>\n<div class="beside"><div>{image}</div><div><p>fathom: {e(truth(result))}.</p>'

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes scenes of hulls of points, of shapes and of unions: first the common part, then the parts
-// of each, then the three functions.
+// of each, then the functions.
 #include "view/picture/scene.hpp"
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "fathom/depth.hpp"
+#include "reference/files/shape_names.hpp"
 #include "reference/shapes/core.hpp"
 
 namespace fathom::picture {
@@ -56,6 +57,22 @@ Point in_proportion(const Point& way, const mpq_class& extent) {
 /// Returns the vector alpha n + beta n/|n|, to within a few roundings.
 Point along(const AlongNormal& v) {
   return v.alpha * rational(v.normal) + v.beta * exact_point(unit_vector(rational(v.normal)));
+}
+
+/// Shows a claimed way beside the others.
+void add_claim(PairScene& scene, const std::optional<Point>& claimed, const mpq_class& extent) {
+  if (!claimed) return;
+  scene.claimed = in_proportion(*claimed, extent);
+  scene.cut = *scene.claimed != *claimed;
+}
+
+/// Returns the longest side of the bodies' boxes in the picture, without that of a half-space.
+mpq_class drawn_extent(const PairScene& scene) {
+  mpq_class extent = 0;
+  for (const Drawn* body : {&scene.a, &scene.b})
+    if (const std::optional<Bounds2> box = box_of(*body, scene.view))
+      extent = std::max({extent, box->width(), box->height()});
+  return extent;
 }
 
 Point place_of(const RoundedPoint& p) { return p.core + along({p.normal, 0, p.distance}); }
@@ -184,24 +201,20 @@ PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed) {
   if (contact) touch_a = chosen(pair.a, contact->a), touch_b = chosen(pair.b, contact->b);
   mpq_class extent = 0;
   for (const GivenPoints* body : {&pair.a, &pair.b}) widen(extent, *body, pair.b.front());
-  const std::optional<Point> shown = claimed ? std::optional(in_proportion(*claimed, extent)) : std::nullopt;
-  const std::optional<Point> second = shown && !is_zero(*shown) ? shown : std::nullopt;
+  const std::optional<Point> second = claimed && !is_zero(*claimed) ? claimed : std::nullopt;
   const View view =
       pair.plane ? from_above()
                  : View((distance ? -1 : 1) * rational(depth.direction()), second, edges_of({touch_a}, {touch_b}));
-  return {depth.status(),
-          view,
-          wires_of(pair.a, view),
-          wires_of(pair.b, view),
-          witness.a,
-          distance ? distance->translation : depth.translation(),
-          shown,
-          shown != claimed,
-          {std::move(touch_a)},
-          {std::move(touch_b)}};
+  PairScene scene{depth.status(),         view,      wires_of(pair.a, view),
+                  wires_of(pair.b, view), witness.a, distance ? distance->translation : depth.translation(),
+                  std::nullopt,           false,     {std::move(touch_a)},
+                  {std::move(touch_b)}};
+  add_claim(scene, claimed, extent);
+  return scene;
 }
 
-PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth, bool plane) {
+PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth, const std::optional<Point>& claimed,
+                   bool plane) {
   const Point normal = normal_of(a, b, depth);
   const std::vector<AlongNormal> ways = depth.translations();
   const Point way = ways.empty() ? way_by_value(depth) : along(ways.front());
@@ -213,12 +226,14 @@ PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth, boo
     touch_a = rounded_face(a, contact->a, -n);
     touch_b = rounded_face(b, contact->b, n);
   }
-  const View view = plane ? from_above()
-                          : View((depth.status() == Status::disjoint ? -1 : 1) * normal, std::nullopt,
-                                 edges_of({touch_a}, {touch_b}));
+  const View view = plane
+                        ? from_above()
+                        : View((depth.status() == Status::disjoint ? -1 : 1) * normal,
+                               claimed && !is_zero(*claimed) ? claimed : std::nullopt, edges_of({touch_a}, {touch_b}));
   PairScene scene{depth.status(), view,  drawn_shape(a, view), drawn_shape(b, view), start, way,
                   std::nullopt,   false, {std::move(touch_a)}, {std::move(touch_b)}};
   scene.enclosed = depth.bounds() != nullptr;
+  add_claim(scene, claimed, drawn_extent(scene));
   return scene;
 }
 
@@ -236,8 +251,7 @@ PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, st
     mpq_class extent = 0;
     for (const Pieces* body : {&a, &b})
       for (const Points& piece : *body) widen(extent, piece, b.front().front());
-    scene.claimed = in_proportion(*claimed, extent);
-    scene.cut = *scene.claimed != *claimed;
+    add_claim(scene, claimed, extent);
   }
   scene.view = plane ? from_above()
                      : View(along, claimed && !is_zero(*claimed) ? claimed : second_of(contacts, along),
@@ -247,6 +261,21 @@ PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, st
   of_b.in_contact = touching.b;
   scene.a = std::move(of_a);
   scene.b = std::move(of_b);
+  return scene;
+}
+
+PairScene scene_of(const fathom::Body& a, const fathom::Body& b, const Answer& answer,
+                   const std::optional<Point>& claimed) {
+  const bool plane = answer.dimension() == 2;
+  const auto of_kind = [&] {
+    if (const auto* const depth = std::get_if<Depth>(&answer.found))
+      return scene_of({a.points, b.points, *depth, plane}, claimed);
+    if (const auto* const depth = std::get_if<SignedDepth>(&answer.found))
+      return scene_of(files::shape_of(a), files::shape_of(b), *depth, claimed, plane);
+    return scene_of(pieces_of(a), pieces_of(b), std::get<UnionDepth>(answer.found), 0, claimed, plane);
+  };
+  PairScene scene = of_kind();
+  scene.plane = plane;
   return scene;
 }
 

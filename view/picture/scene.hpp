@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fathom/answer.hpp"
 #include "fathom/body.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/shape.hpp"
@@ -66,7 +67,12 @@ PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, st
                    const std::optional<Point>& claimed = std::nullopt, bool plane = false);
 
 /// Makes the scene of shapes, of which one at most is a half-space; `depth` is theirs.
-PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth, bool plane = false);
+PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth,
+                   const std::optional<Point>& claimed = std::nullopt, bool plane = false);
+
+/// Makes the scene of two bodies of any kinds, in space or in the plane, by the answer about them.
+PairScene scene_of(const Body& a, const Body& b, const Answer& answer,
+                   const std::optional<Point>& claimed = std::nullopt);
 
 // ---- paint.cpp, page_document.cpp: SVG ----
 

@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "fathom/shape.hpp"
 #include "reference/files/cases.hpp"
 #include "tests/harness/report/outcomes.hpp"
 #include "tests/harness/report/well_formed.hpp"
@@ -160,7 +162,10 @@ TEST(Html, AClaimedDerivativeBesideTheTrueOne) {
 TEST(Html, PicturesOfAllFamilies) {
   Failures failures;
   Outcomes outcomes;
-  for (const families::Family& family : families::families()) {
+  std::vector<families::Family> drawn;
+  for (const families::Kind kind : {families::Kind::polytopes, families::Kind::plane})
+    std::ranges::copy(families::families(kind), std::back_inserter(drawn));
+  for (const families::Family& family : drawn) {
     Reply reply;
     reply.overlap = true;
     switch (failures.size() % 4) {
@@ -171,6 +176,7 @@ TEST(Html, PicturesOfAllFamilies) {
     }
     HtmlFailure made{outcome(std::string(family.name) + "::1", Verdict::too_deep), family.make(1, 8), ""};
     made.outcome.reply = reply;
+    made.outcome.dimension = made.seen.a.dimension;
     failures.push_back(made);
     outcomes.push_back(made.outcome);
   }
@@ -183,6 +189,37 @@ TEST(Html, PicturesOfAllFamilies) {
     for (const std::string bad : {"nan", "inf", "e+"}) EXPECT_EQ(d.find(bad), std::string::npos) << d;
     EXPECT_LT(d.size(), 50'000u);
   }
+}
+
+// The plane is seen from above, its points have two coordinates, and round bodies a claim too.
+TEST(Html, AFailureInThePlane) {
+  Reply reply;
+  reply.overlap = true;
+  reply.depth = 0.75;
+  reply.direction = Triple{0.6, 0.8, 0};
+  Body square{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}}, disc;
+  square.dimension = disc.dimension = 2;
+  disc.shape = moved(sphere(1), rigid_pose({1, 0, 0, 0}, {mpq_class(5, 2), 1, 0}));
+  Failures failures;
+  Outcomes outcomes;
+  for (const Body& b : {square, disc}) {
+    HtmlFailure made{outcome(b.shape ? "round" : "flat", Verdict::too_deep), {"in the plane", square, b}, ""};
+    made.outcome.reply = reply;
+    made.outcome.dimension = 2;
+    failures.push_back(made);
+    outcomes.push_back(made.outcome);
+  }
+  const Element page = read_page(html_page(judged_subject(), outcomes, failures, {}));
+  ASSERT_EQ(page.all("article").size(), 2u);
+  for (const Element* article : page.all("article")) {
+    EXPECT_TRUE(says(*article, "in the plane: x to the right, y up"));
+    EXPECT_TRUE(says(*article, "(0.6, 0.8)"));
+    EXPECT_TRUE(says(*article, "The claimed translation is dashed.")) << "law: of round bodies too";
+    EXPECT_EQ(article->all("button").size(), 1u) << "law: the case can be copied";
+    EXPECT_FALSE(says(*article, "hidden edges"));
+  }
+  EXPECT_TRUE(says(page, "translation of A = (-2, 0)\n")) << "law: of two coordinates";
+  EXPECT_TRUE(says(page, "; thick: the edges in contact"));
 }
 
 TEST(Html, NoPairAndNoAnswer) {

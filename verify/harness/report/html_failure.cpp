@@ -4,17 +4,15 @@
 
 #include <exception>
 
+#include "fathom/answer.hpp"
 #include "fathom/numbers.hpp"
-#include "fathom/signed_depth.hpp"
 #include "kernels/vector.hpp"
 #include "reference/files/cases.hpp"
-#include "reference/files/shape_names.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/report/reports.hpp"
 #include "verify/harness/seen_case.hpp"
 #include "verify/judge/claim.hpp"
 #include "verify/judge/fields.hpp"
-#include "verify/judge/truth.hpp"
 #include "view/picture/markup.hpp"
 #include "view/picture/scene.hpp"
 #include "view/picture/view.hpp"
@@ -40,16 +38,19 @@ std::string length_text(const mpq_class& squared) {
   return fmt::format("{}{}{}", squared < 0 ? "-" : "", root_binary64(mpq_class(abs(squared)), Rounding::rn), behind);
 }
 
-std::string rounded_text(const Point& p) {
-  return fmt::format("({}, {}, {})", round_binary64(p.x, Rounding::rn), round_binary64(p.y, Rounding::rn),
-                     round_binary64(p.z, Rounding::rn));
+std::string place_text(const Triple& p, unsigned dimension) {
+  return dimension == 2 ? fmt::format("({}, {})", p[0], p[1]) : fmt::format("({}, {}, {})", p[0], p[1], p[2]);
+}
+
+std::string rounded_text(const Point& p, unsigned dimension) {
+  return place_text(
+      {round_binary64(p.x, Rounding::rn), round_binary64(p.y, Rounding::rn), round_binary64(p.z, Rounding::rn)},
+      dimension);
 }
 
 std::string between_text(const Between& x) {
   return x.low == x.high ? fmt::format("{}", x.low) : fmt::format("between {} and {}", x.low, x.high);
 }
-
-std::string triple_text(const Triple& t) { return fmt::format("({}, {}, {})", t[0], t[1], t[2]); }
 
 /// Rows of a <dl>.
 class Facts {
@@ -79,20 +80,19 @@ std::string status_text(const std::optional<Status>& status) {
                                          : "the bodies are apart";
 }
 
-/// The truth about a pair of polytopes or of unions; neither if it was not found.
-struct Known {
-  std::optional<Truth> truth;
-  std::optional<UnionTruth> unions;
-};
+/// The exact answer about a pair; nullopt if it was not found.
+using Known = std::optional<Answer>;
 
-std::string truth_of_unions(const UnionTruth& truth, const std::string& certificate) {
-  const UnionDepth& depth = truth.depth;
+const Depth* polytopes(const Known& known) { return known ? std::get_if<Depth>(&known->found) : nullptr; }
+const UnionDepth* unions(const Known& known) { return known ? std::get_if<UnionDepth>(&known->found) : nullptr; }
+
+std::string truth_of_unions(const UnionDepth& depth, unsigned dimension, const std::string& certificate) {
   Facts facts;
   facts.add("status", status_text(depth.status));
   if (depth.status == Status::penetrating) facts.add("depth", length_text(depth.squared()));
   if (depth.apart) facts.add("distance", length_text(depth.apart->distance.squared));
   if (depth.status == Status::penetrating) {
-    facts.add("translation of A", rounded_text(depth.optima.front().translation));
+    facts.add("translation of A", rounded_text(depth.optima.front().translation, dimension));
     if (depth.optima.size() > 1) facts.add("ties", fmt::format("{} translations are as short", depth.optima.size()));
     if (!depth.optima.front().clearance) facts.add("clearance", "none: an exact fit");
     const UnionBounds& bounds = *depth.bounds;
@@ -108,22 +108,22 @@ std::string truth_of_unions(const UnionTruth& truth, const std::string& certific
 }
 
 std::string truth_list(const Outcome& outcome, const Known& known, const std::string& certificate) {
-  if (known.unions) return truth_of_unions(*known.unions, certificate);
-  const std::optional<Truth>& truth = known.truth;
+  if (const UnionDepth* const depth = unions(known)) return truth_of_unions(*depth, outcome.dimension, certificate);
+  const Depth* const truth = polytopes(known);
   Facts facts;
   if (outcome.judgement || truth) {
-    const std::optional<Status> status = outcome.judgement ? outcome.judgement->status : truth->depth.status();
+    const std::optional<Status> status = outcome.judgement ? outcome.judgement->status : truth->status();
     facts.add("status", status_text(status));
     if (outcome.judgement && outcome.judgement->signed_depth)
       facts.add("signed depth", between_text(*outcome.judgement->signed_depth));
     else if (status == Status::penetrating)
-      facts.add("depth", length_text(outcome.judgement ? outcome.judgement->depth_squared : truth->depth.squared()));
+      facts.add("depth", length_text(outcome.judgement ? outcome.judgement->depth_squared : truth->squared()));
   }
-  if (truth && truth->depth.distance()) facts.add("distance", length_text(truth->depth.distance()->squared));
-  if (truth && truth->depth.status() == Status::penetrating) {
-    facts.add("translation of A", rounded_text(truth->depth.translation()));
-    if (truth->depth.optima().size() > 1)
-      facts.add("ties", fmt::format("{} translations are as short", truth->depth.optima().size()));
+  if (truth && truth->distance()) facts.add("distance", length_text(truth->distance()->squared));
+  if (truth && truth->status() == Status::penetrating) {
+    facts.add("translation of A", rounded_text(truth->translation(), outcome.dimension));
+    if (truth->optima().size() > 1)
+      facts.add("ties", fmt::format("{} translations are as short", truth->optima().size()));
   }
   if (!certificate.empty()) facts.add("certificate", certificate);
   return facts.list("Truth");
@@ -131,9 +131,7 @@ std::string truth_list(const Outcome& outcome, const Known& known, const std::st
 
 /// Returns the subject's own numbers, each with the convention that it follows.
 std::string claim_list(const Reply& reply, const Conventions& conventions, unsigned dimension) {
-  const auto point_text = [dimension](const Triple& p) {
-    return dimension == 2 ? fmt::format("({}, {})", p[0], p[1]) : triple_text(p);
-  };
+  const auto point_text = [dimension](const Triple& p) { return place_text(p, dimension); };
   Facts facts;
   facts.add("status", reply.overlap ? "the bodies overlap" : "the bodies do not overlap");
   facts.add(conventions.depth == Conventions::Sign::positive ? "depth" : "depth, negative where they overlap",
@@ -218,7 +216,7 @@ std::string derivative_list(const DerivativeJudgement& derivative) {
 /// too long for a page, or cannot be written.
 std::string case_text(const SubjectInfo& subject, const HtmlFailure& failure, const std::string& anchor) {
   const Case& seen = failure.seen;
-  if (seen.a.points.empty() && !has_words(seen) && !files::has_union(seen)) return "";
+  if (seen.a.points.empty() && !seen.a.shape && !files::has_union(seen)) return "";
   try {
     const std::string line = files::case_json(
         seen, fmt::format("{} of {} {}", name(failure.outcome.verdict), subject.name, subject.version));
@@ -243,7 +241,9 @@ std::string exact_numbers(const Outcome& outcome, const Known& known) {
     result += fmt::format("{}{} = {}\n", what.substr(0, what.size() - (is_square ? squared.size() : 0)),
                           is_square ? "^2" : "", exact(value));
   };
-  const std::optional<Truth>& truth = known.truth;
+  const Depth* const truth = polytopes(known);
+  const UnionDepth* const of_unions = unions(known);
+  const bool overlapping_unions = of_unions && of_unions->status == Status::penetrating;
   if (outcome.judgement) {
     const Judgement& judgement = *outcome.judgement;
     text::for_each_field(judging::judgement_fields, [&](const auto& field) {
@@ -255,35 +255,30 @@ std::string exact_numbers(const Outcome& outcome, const Known& known) {
       if constexpr (std::is_same_v<Value, std::optional<UnionBounds>>) add("deepest_pair_squared", value->deepest_pair);
     });
   } else if (truth) {
-    add("depth_squared", truth->depth.squared());
-    if (truth->depth.distance()) add("distance_squared", truth->depth.distance()->squared);
-  } else if (known.unions && known.unions->depth.status == Status::penetrating) {
-    add("deepest_pair_squared", known.unions->depth.bounds->deepest_pair);
+    add("depth_squared", truth->squared());
+    if (truth->distance()) add("distance_squared", truth->distance()->squared);
+  } else if (overlapping_unions) {
+    add("deepest_pair_squared", of_unions->bounds->deepest_pair);
   }
   const auto add_translation = [&](const Point& t) {
     result += fmt::format("translation of A = ({}, {}{})\n", exact(t.x), exact(t.y),
                           outcome.dimension == 2 ? "" : ", " + exact(t.z));
   };
-  if (known.unions && known.unions->depth.status == Status::penetrating)
-    for (const UnionOptimum& optimum : known.unions->depth.optima) add_translation(optimum.translation);
+  if (overlapping_unions)
+    for (const UnionOptimum& optimum : of_unions->optima) add_translation(optimum.translation);
   if (truth)
-    for (const Optimum& optimum : truth->depth.optima()) add_translation(optimum.translation());
+    for (const Optimum& optimum : truth->optima()) add_translation(optimum.translation());
   return result;
 }
 
-/// Solves the pair again. Returns neither truth if that fails, and for shapes: a missing picture
-/// must not prevent the page.
+/// Solves the pair again. Returns nullopt if that fails: a missing picture must not prevent the
+/// page.
 Known known_of(const Case& seen) {
-  Known known;
-  if (seen.a.shape || seen.b.shape) return known;
   try {
-    judging::AnyTruth truth = judging::truth_of(seen.a, seen.b);
-    if (files::has_union(seen)) known.unions = std::get<UnionTruth>(std::move(truth));
-    else known.truth = std::get<Truth>(std::move(truth));
+    return exact_answer(seen.a, seen.b);
   } catch (const std::exception&) {
-    return {};
+    return std::nullopt;
   }
-  return known;
 }
 
 /// Returns the words for the claim in a picture.
@@ -294,55 +289,38 @@ std::string of_claim(const SubjectInfo& subject) {
              : result;
 }
 
-/// Returns the caption of a picture of two unions.
-std::string caption(const SubjectInfo& subject, const UnionTruth& truth, bool claimed) {
-  std::string result =
-      "<span class=\"key body-a\">A</span> toned, <span class=\"key body-b\">B</span> hatched; deeper: the pieces in "
-      "contact";
-  if (truth.depth.status == Status::penetrating)
+/// Returns the caption of a picture.
+std::string caption(const SubjectInfo& subject, const picture::PairScene& scene, const Answer& answer) {
+  std::string result = "<span class=\"key body-a\">A</span> toned, <span class=\"key body-b\">B</span> hatched";
+  const bool of_polytopes = std::holds_alternative<Depth>(answer.found);
+  if (of_polytopes && scene.has_edges()) result += ", hidden edges dashed";
+  if (scene.of_unions()) result += "; deeper: the pieces in contact";
+  if (scene.status == Status::disjoint) {
+    result += "; <span class=\"key true\">arrow</span>: the gap from A to B, and A moved across it, dashed";
+  } else if (scene.moves()) {
     result += "; <span class=\"key true\">arrow</span>: the true translation of A, and A after it, dashed";
-  if (truth.depth.apart)
-    result += "; <span class=\"key true\">arrow</span>: the gap from A to B, and A moved across it, dashed";
-  return claimed ? result + of_claim(subject) : result;
+    if (of_polytopes) result += fmt::format("; thick: the {} in contact", scene.plane ? "edges" : "faces");
+  } else {
+    result += fmt::format("; <span class=\"key true\">dot</span>: {}", scene.dot_text());
+  }
+  return scene.claimed ? result + of_claim(subject) : result;
 }
 
-/// Returns the caption of a picture of two polytopes.
-std::string caption(const SubjectInfo& subject, const Truth& truth, bool claimed) {
-  std::string result =
-      "<span class=\"key body-a\">A</span> toned, <span class=\"key body-b\">B</span> hatched, hidden edges dashed";
-  if (truth.depth.status() == Status::penetrating)
-    result +=
-        "; <span class=\"key true\">arrow</span>: the true translation of A, and A after it, dashed; thick: the faces "
-        "in contact";
-  if (truth.depth.distance())
-    result += "; <span class=\"key true\">arrow</span>: the gap from A to B, and A moved across it, dashed";
-  if (truth.depth.touch()) result += "; <span class=\"key true\">dot</span>: where they touch";
-  return claimed ? result + of_claim(subject) : result;
-}
-
-std::string figure_element(const std::string& svg, const std::string& caption) {
-  return fmt::format("<figure><div class=\"pairs\">{}</div><figcaption>{}.</figcaption></figure>\n", svg, caption);
-}
-
+/// Returns the bodies, the true way and the claimed one, as view/picture paints them.
 std::string figure(const SubjectInfo& subject, const HtmlFailure& failure, const Case& judged, const Known& known,
                    const std::string& anchor) {
+  if (!known) return "";
   const Outcome& outcome = failure.outcome;
-  if (outcome.dimension == 2) return "";  // pictures of pairs are of space
-  const std::string of = markup(shown_id(outcome.id, outcome.variant));
   const std::optional<Point> claimed =
       outcome.reply ? claimed_translation(in_unit(*outcome.reply, -outcome.fit), subject.conventions) : std::nullopt;
-  if (known.unions)
-    return figure_element(unions_picture(*known.unions, claimed, anchor, "Unions of " + of),
-                          caption(subject, *known.unions, claimed.has_value()));
-  if (const std::optional<Truth>& truth = known.truth) {
-    return figure_element(pair_picture(*truth, claimed, anchor, "Hulls of " + of),
-                          caption(subject, *truth, claimed.has_value()));
-  }
-  if (const std::string svg = shapes_picture(judged, anchor, "Shapes of " + of); !svg.empty())
-    return figure_element(svg,
-                          "<span class=\"key body-a\">A</span> toned, <span class=\"key body-b\">B</span> hatched; "
-                          "<span class=\"key true\">arrow</span>: the true way of A, and A after it, dashed");
-  return "";
+  const picture::PairScene scene = picture::scene_of(judged.a, judged.b, *known, claimed);
+  const std::string label = fmt::format("{} of {}",
+                                        unions(known)      ? "Unions"
+                                        : polytopes(known) ? "Hulls"
+                                                           : "Shapes",
+                                        markup(shown_id(outcome.id, outcome.variant)));
+  return fmt::format("<figure><div class=\"pairs\">{}</div><figcaption>{}.</figcaption></figure>\n",
+                     picture::scene_panels(scene, anchor, label), caption(subject, scene, *known));
 }
 
 }  // namespace
@@ -353,26 +331,6 @@ std::optional<Point> claimed_translation(const Reply& reply, const Conventions& 
   const Vec3<double> u = picture::unit_vector(rational(*claim.direction));
   return Point{mpq_class(exact_value(u.x) * *claim.length), mpq_class(exact_value(u.y) * *claim.length),
                mpq_class(exact_value(u.z) * *claim.length)};
-}
-
-std::string pair_picture(const Truth& truth, const std::optional<Point>& claimed, const std::string& name,
-                         const std::string& label) {
-  return picture::scene_panels(picture::scene_of({truth.a, truth.b, truth.depth}, claimed), name, label);
-}
-
-std::string unions_picture(const UnionTruth& truth, const std::optional<Point>& claimed, const std::string& name,
-                           const std::string& label) {
-  return picture::scene_panels(picture::scene_of(truth.a, truth.b, truth.depth, 0, claimed), name, label);
-}
-
-std::string shapes_picture(const Case& seen, const std::string& name, const std::string& label) {
-  if (!seen.a.shape && !seen.b.shape) return "";
-  try {
-    const Shape a = files::shape_of(seen.a), b = files::shape_of(seen.b);
-    return picture::scene_panels(picture::scene_of(a, b, signed_depth(a, b)), name, label);
-  } catch (const std::exception&) {
-    return "";
-  }
 }
 
 std::string failure_article(const SubjectInfo& subject, const HtmlFailure& failure, const std::string& anchor) {

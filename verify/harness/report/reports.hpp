@@ -152,22 +152,9 @@ struct Anchored {
   std::string anchor;
 };
 
-// ---- the picture of a failure: the truth and the reply about the same pair ----
-
 /// Returns the translation of A that a reply claims, to within a few roundings, for directions of
 /// any length. Returns nullopt if the reply has no direction, or a number of it is not finite.
 std::optional<Point> claimed_translation(const Reply& reply, const Conventions& conventions);
-
-/// Returns one or two SVG elements, as view/picture paints them.
-std::string pair_picture(const Truth& truth, const std::optional<Point>& claimed, const std::string& name,
-                         const std::string& label);
-
-/// Returns the same for unions.
-std::string unions_picture(const UnionTruth& truth, const std::optional<Point>& claimed, const std::string& name,
-                           const std::string& label);
-
-/// Returns the same for a case of shapes, without a claim; empty if its depth is not found.
-std::string shapes_picture(const Case& seen, const std::string& name, const std::string& label);
 
 // ---- the list of known failures. It is strict: a run agrees with it if and only if the listed
 // cases fail, with the listed verdicts, and no others. It has one line for each failure:
