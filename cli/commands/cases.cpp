@@ -188,7 +188,8 @@ ExitCode print_meshes(const BodiesRequest& request) try {
     return text ? std::optional(asked_pose(*text, option, request.decimals, false)) : std::nullopt;
   };
   const auto posed = [](Body body, const std::optional<files::GivenPose>& given) {
-    if (given && (body.words || body.dimension == 2)) {  // it has a pose of its own, or none that could be written
+    // A pose of its own, none that could be written, or one that is refused.
+    if (given && (body.words || body.dimension == 2 || given->plane)) {
       files::place(body, *given);
       return files::body_json(body);
     }

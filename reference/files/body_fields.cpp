@@ -170,16 +170,14 @@ Axis Reader::axis(const JsonValue& value, const std::string& path) {
   return Axis::z;
 }
 
-// The tangent of half the angle is that of a quaternion about z; a matrix leaves z as it is.
+// The tangent of half the angle is that of a quaternion about z.
 std::optional<GivenPose> Reader::plane_pose(const JsonValue& value, const std::string& path) {
   GivenPose result;
   if (value.is_array() && value.items().size() == 2) {
-    Pose& matrix = result.matrix.emplace();
-    for (std::size_t row = 0; row < 2; ++row) {
-      const std::vector<mpq_class> m = numbers(value.items()[row], 3, path + "[" + std::to_string(row) + "]");
-      matrix[row] = {m[0], m[1], 0, m[2]};
-    }
-    matrix[2] = {0, 0, 1, 0};
+    std::array<std::array<mpq_class, 3>, 2> rows;
+    for (std::size_t row = 0; row < 2; ++row)
+      std::ranges::copy(numbers(value.items()[row], 3, path + "[" + std::to_string(row) + "]"), rows[row].begin());
+    result = files::plane_pose(rows);
   } else if (value.is_object()) {
     const JsonValue *const half_angle = given(value, "half_angle"), *const translation = given(value, "translation");
     if (!half_angle && !translation) report(path, expected_plane_pose, found(value));
@@ -188,7 +186,7 @@ std::optional<GivenPose> Reader::plane_pose(const JsonValue& value, const std::s
         translation ? numbers(*translation, 2, path + ".translation") : std::vector<mpq_class>(2);
     result.place = {t[0], t[1], 0};
     for (const auto& [key, of_space] : value.fields())
-      if (!of_space->is_null() && pose_word(key) && key != "translation")
+      if (!of_space->is_null() && pose_word(key) && key != "translation" && key != "half_angle")
         report(path + "." + std::string(key), "no such field of a pose in the plane", "one");
   } else {
     report(path, expected_plane_pose, found(value));
@@ -202,6 +200,7 @@ std::optional<GivenPose> Reader::pose(const JsonValue& value, const std::string&
   GivenPose result;
   if (value.is_string()) {
     result = parse_pose(value.text(), Decimals::exact, wrong);
+    if (result.plane && wrong.empty()) wrong = "expected a pose in space, found one in the plane";
   } else if (value.is_array() && (value.items().size() == 3 || value.items().size() == 4)) {
     std::vector<std::array<mpq_class, 4>> rows(value.items().size());
     for (std::size_t row = 0; row < rows.size(); ++row)
@@ -233,7 +232,7 @@ GivenPose Reader::pose_of_words(const JsonValue& value, const std::string& path,
   for (const auto& [key, numbers_of_it] : value.fields()) {
     const std::optional<PoseWord> word = pose_word(key);
     keys.emplace_back(key);
-    if (!word || numbers_of_it->is_null()) continue;
+    if (!word || is_of_plane(*word) || numbers_of_it->is_null()) continue;
     const std::string place = path + "." + std::string(key);
     std::vector<mpq_class> read = *word == PoseWord::euler ? euler(*numbers_of_it, place, wrong)
                                                            : numbers(*numbers_of_it, numbers_of(*word), place);

@@ -139,12 +139,13 @@ TypedRows rows_of(std::string_view text) {
   return rows;
 }
 
-/// Twelve or sixteen numbers in one row are three or four rows.
+/// Twelve or sixteen numbers in one row are three or four rows; six are two of the plane.
 void break_long_row(TypedRows& rows) {
-  if (rows.size() != 1 || (rows[0].size() != 12 && rows[0].size() != 16)) return;
+  if (rows.size() != 1) return;
+  const std::ptrdiff_t count = std::ssize(rows[0]), width = count == 6 ? 3 : 4;
+  if (count != 6 && count != 12 && count != 16) return;
   const std::vector<Entry> all = std::exchange(rows, {}).front();
-  for (std::size_t i = 0; i < all.size(); i += 4)
-    rows.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(i), all.begin() + static_cast<std::ptrdiff_t>(i) + 4);
+  for (auto row = all.begin(); row != all.end(); row += width) rows.emplace_back(row, row + width);
 }
 
 /// What is there instead of a matrix, and what may be meant.
@@ -172,21 +173,28 @@ mpq_class number(const Entry& entry, Decimals decimals, const std::string& place
 GivenPose matrix(std::string_view text, Decimals decimals, std::string& fault) {
   TypedRows rows = rows_of(text);
   break_long_row(rows);
+  const auto entry = [&](std::size_t i, std::size_t j) {
+    return number(rows[i][j], decimals, "row " + std::to_string(i + 1) + ", number " + std::to_string(j + 1), fault);
+  };
+  if (rows.size() == 2 && rows[0].size() == 3 && rows[1].size() == 3) {
+    std::array<std::array<mpq_class, 3>, 2> of_plane;
+    for (std::size_t i = 0; i < 2; ++i)
+      for (std::size_t j = 0; j < 3; ++j) of_plane[i][j] = entry(i, j);
+    return plane_pose(of_plane);
+  }
   const bool good = (rows.size() == 3 || rows.size() == 4) &&
                     std::ranges::all_of(rows, [](const auto& row) { return row.size() == 4; });
   if (!good) {
     fault =
         "expected three rows of four numbers, \"r11 r12 r13 t1; r21 ...; r31 ...\", or four rows, or xyz=X,Y,Z "
         "quat=W,X,Y,Z "
-        "(or xyzw=X,Y,Z,W, or rpy=ROLL,PITCH,YAWdeg), found " +
+        "(or xyzw=X,Y,Z,W, or rpy=ROLL,PITCH,YAWdeg), in the plane two rows of three, found " +
         found_rows(rows, text);
     return {};
   }
   std::vector<std::array<mpq_class, 4>> numbers(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i)
-    for (std::size_t j = 0; j < 4; ++j)
-      numbers[i][j] =
-          number(rows[i][j], decimals, "row " + std::to_string(i + 1) + ", number " + std::to_string(j + 1), fault);
+    for (std::size_t j = 0; j < 4; ++j) numbers[i][j] = entry(i, j);
   return pose_of(numbers, fault);
 }
 
@@ -203,7 +211,8 @@ class Words {
       const std::string_view typed = trimmed(text.substr(0, equals));
       const std::optional<PoseWord> word = pose_word(typed);
       if (!word || equals == std::string_view::npos) {
-        fail("expected xyz=, quat=, xyzw=, rpy= or euler=, found " + kernels::shown(typed));
+        fail("expected xyz=, quat=, xyzw=, rpy= or euler=, in the plane xy= or half_angle=, found " +
+             kernels::shown(typed));
         break;
       }
       text.remove_prefix(equals + 1);
@@ -246,9 +255,10 @@ class Words {
     std::vector<Entry> entries;
     for (const auto& row : rows_of(text)) entries.insert(entries.end(), row.begin(), row.end());
     const std::string place(typed);
-    if (entries.size() != numbers_of(word))
-      return fail(place + ": expected " + (numbers_of(word) == 4 ? "four" : "three") + " numbers, found " +
-                  std::to_string(entries.size()));
+    if (entries.size() != numbers_of(word)) {
+      constexpr std::array<const char*, 5> counts = {"", "one number", "two numbers", "three numbers", "four numbers"};
+      return fail(place + ": expected " + counts.at(numbers_of(word)) + ", found " + std::to_string(entries.size()));
+    }
     std::vector<mpq_class> numbers;
     for (const Entry& entry : entries) numbers.push_back(number(entry, decimals_, place, *fault_));
     if (euler) numbers = euler_turns(order, numbers, *fault_);
@@ -324,6 +334,16 @@ Pose exact_pose(const AnyPose& pose) {
   return exact;
 }
 
+Pose product(const Pose& second, const Pose& first) {
+  Pose result;
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 4; ++column) {
+      result[row][column] = column == 3 ? second[row][3] : mpq_class(0);
+      for (std::size_t k = 0; k < 3; ++k) result[row][column] += second[row][k] * first[k][column];
+    }
+  return result;
+}
+
 Point placed(const Point& p, const Pose& pose) {
   return {applied(pose[0], p), applied(pose[1], p), applied(pose[2], p)};
 }
@@ -342,7 +362,7 @@ std::string pose_note(const GivenPose& given, bool has_radius) {
         "; its radius or margin stays (of a tapered capsule the smaller radius: what the larger has more is mapped)";
   if (given.transposed) {
     note = "the last column is 0 0 0 1: this 4 x 4 is read as transposed" + (note.empty() ? "" : "; " + note);
-  } else if (!note.empty() && is_rotation(by_columns(*given.matrix))) {
+  } else if (!note.empty() && !given.plane && is_rotation(by_columns(*given.matrix))) {
     note += "; four columns of three, read column by column, would be a rotation";
   }
   return note;
@@ -350,6 +370,8 @@ std::string pose_note(const GivenPose& given, bool has_radius) {
 
 void place(Body& body, const GivenPose& given) {
   const Pose pose = exact_pose(given);
+  if (given.plane && body.dimension != 2)
+    throw std::invalid_argument("expected a pose in space, as the body is, found one in the plane");
   if (body.dimension == 2 && !keeps_plane(pose))
     throw std::invalid_argument("expected a pose in the plane, which leaves z as it is, found another");
   const bool flattened =
@@ -375,15 +397,21 @@ std::optional<PoseWord> pose_word(std::string_view name) {
   if (name == "quaternion" || name == "quat") return PoseWord::quaternion;
   if (name == "xyzw") return PoseWord::xyzw;
   if (name == "rpy") return PoseWord::rpy;
+  if (name == "xy") return PoseWord::xy;
+  if (name == "half_angle") return PoseWord::half_angle;
   return name == "euler" ? std::optional(PoseWord::euler) : std::nullopt;
 }
 
 std::string_view name(PoseWord word) {
-  constexpr std::array<std::string_view, 5> names = {"translation", "quaternion", "xyzw", "rpy", "euler"};
+  constexpr std::array<std::string_view, 7> names = {"translation", "quaternion", "xyzw",      "rpy",
+                                                     "euler",       "xy",         "half_angle"};
   return names[static_cast<std::size_t>(word)];
 }
 
-std::size_t numbers_of(PoseWord word) { return word == PoseWord::quaternion || word == PoseWord::xyzw ? 4 : 3; }
+std::size_t numbers_of(PoseWord word) {
+  if (is_of_plane(word)) return word == PoseWord::xy ? 2 : 1;
+  return word == PoseWord::quaternion || word == PoseWord::xyzw ? 4 : 3;
+}
 
 std::vector<mpq_class> euler_turns(std::string_view order, const std::vector<mpq_class>& angles, std::string& fault) {
   const std::string_view axes = trimmed(order.substr(std::min(order.find_first_of(spaces), order.size())));
@@ -431,12 +459,19 @@ GivenPose composed(const GivenPose& second, const GivenPose& first) {
 GivenPose pose_of(const PoseWords& words, AngleUnit unit, std::string& fault) {
   GivenPose result;
   bool turned = false;
+  if (words.contains(PoseWord::translation) && words.contains(PoseWord::xy))
+    fault = "expected one translation, found two";
   for (const auto& [word, numbers] : words) {
-    if (word == PoseWord::translation) {
-      result.place = {numbers[0], numbers[1], numbers[2]};
+    result.plane = result.plane || is_of_plane(word);
+    if (word == PoseWord::translation || word == PoseWord::xy) {
+      result.place = {numbers[0], numbers[1], word == PoseWord::xy ? mpq_class(0) : numbers[2]};
       continue;
     }
     if (std::exchange(turned, true)) fault = "expected one rotation, found two";
+    if (word == PoseWord::half_angle) {
+      result.turn = {1, 0, 0, numbers[0]};
+      continue;
+    }
     if (word == PoseWord::quaternion) result.turn = {numbers[0], numbers[1], numbers[2], numbers[3]};
     if (word == PoseWord::xyzw) result.turn = {numbers[3], numbers[0], numbers[1], numbers[2]};
     const std::vector<mpq_class> rpy = {0, numbers[0], 1, numbers[1], 2, numbers[2]};
@@ -444,6 +479,15 @@ GivenPose pose_of(const PoseWords& words, AngleUnit unit, std::string& fault) {
     if (word == PoseWord::euler) result.turn = rotation_of(numbers, unit);
   }
   if (result.turn == Quaternion{0, 0, 0, 0}) fault = "expected a quaternion that is not 0, found 0";
+  return result;
+}
+
+GivenPose plane_pose(const std::array<std::array<mpq_class, 3>, 2>& rows) {
+  GivenPose result;
+  Pose& pose = result.matrix.emplace();
+  for (std::size_t i = 0; i < 2; ++i) pose[i] = {rows[i][0], rows[i][1], 0, rows[i][2]};
+  pose[2] = {0, 0, 1, 0};
+  result.plane = true;
   return result;
 }
 

@@ -24,6 +24,9 @@ using kernels::AngleUnit;
 /// The turn by q, and then by p.
 Quaternion product(const Quaternion& p, const Quaternion& q);
 
+/// The map `first`, and then `second`.
+Pose product(const Pose& second, const Pose& first);
+
 /// A matrix in either form.
 using AnyPose = std::variant<PoseBinary64, Pose>;
 
@@ -46,6 +49,7 @@ struct GivenPose {
   Quaternion turn{1, 0, 0, 0};
   Point place = {};
   bool transposed = false;  ///< the matrix was written column by column
+  bool plane = false;       ///< it was written as one of the plane, of which bodies in space have no use
 };
 
 /// The map that it is, exactly. Throws as rigid_pose does.
@@ -57,14 +61,17 @@ Pose exact_pose(const GivenPose& given);
 /// `has_radius`: of a body with a radius, which no pose maps.
 std::string pose_note(const GivenPose& given, bool has_radius);
 
-/// Places the body, exactly, and its words with it. Throws std::invalid_argument as moved does.
+/// Places the body, exactly, and its words with it. Throws std::invalid_argument as moved does, and
+/// if the pose and the body are not both of the plane or both of space.
 void place(Body& body, const GivenPose& given);
 
 /// The words for a rotation and a translation, and what they are called in short.
-enum class PoseWord { translation, quaternion, xyzw, rpy, euler };
+enum class PoseWord { translation, quaternion, xyzw, rpy, euler, xy, half_angle };
 
-/// "translation" or "xyz"; "quaternion" or "quat"; "xyzw"; "rpy"; "euler".
+/// "translation" or "xyz"; "quaternion" or "quat"; "xyzw"; "rpy"; "euler"; and in the plane "xy";
+/// "half_angle".
 std::optional<PoseWord> pose_word(std::string_view name);
+constexpr bool is_of_plane(PoseWord word) { return word == PoseWord::xy || word == PoseWord::half_angle; }
 std::string_view name(PoseWord word);
 /// How many numbers are written behind it.
 std::size_t numbers_of(PoseWord word);
@@ -84,8 +91,9 @@ std::vector<mpq_class> euler_turns(std::string_view order, const std::vector<mpq
 /// z), or (x, y, z, w) as `xyzw`. rpy: angles about the fixed axes x, then y, then z, as in URDF.
 /// So are euler's, in the order that it names. The body is turned about each axis by the quaternion
 /// of the half angle's cosine and sine, both rounded to 53 bits: an exact rotation by an angle that
-/// is off by less than 2^-51, and not at all at multiples of 90 degrees. Returns a
-/// sentence in `fault` if the words do not go together.
+/// is off by less than 2^-51, and not at all at multiples of 90 degrees. half_angle is the tangent
+/// of half the angle of a turn in the plane. Returns a sentence in `fault` if the words do not go
+/// together.
 GivenPose pose_of(const PoseWords& words, AngleUnit unit, std::string& fault);
 
 /// A turn about the axis, which is not 0, by an angle that is off by less than 2^-45 radians: that
@@ -101,6 +109,9 @@ mpq_class length_near(const Point& v);
 /// of integers without a common factor.
 GivenPose composed(const GivenPose& second, const GivenPose& first);
 
+/// The pose of two rows of three numbers: one of the plane, which leaves z as it is.
+GivenPose plane_pose(const std::array<std::array<mpq_class, 3>, 2>& rows);
+
 /// The pose of a matrix of three or four rows of four numbers. Of four, the last row must be 0 0 0
 /// 1; or the last column, and then it was written column by column. Returns a sentence in `fault`
 /// if neither is so.
@@ -112,8 +123,9 @@ GivenPose pose_of(const std::vector<std::array<mpq_class, 4>>& rows, std::string
 ///   12 or 16 numbers, row by row: between them commas, white space, semicolons, brackets; quotes
 ///   around one make it exact, as in JSON xyz=X,Y,Z and one of quat=W,X,Y,Z xyzw=X,Y,Z,W
 ///   rpy=ROLL,PITCH,YAWdeg (or rad) euler=intrinsic zyx A,B,Cdeg (or rad), in any order, one of
-///   both may be missing Decimals mean what `decimals` says; integers, p/q and hexadecimal floats
-///   are exact. Returns a sentence in `fault` if it is neither.
+///   both may be missing; in the plane 6 numbers, or xy=X,Y and half_angle=T. Decimals mean what
+///   `decimals` says; integers, p/q and hexadecimal floats are exact. Returns a sentence in `fault`
+///   if it is neither.
 GivenPose parse_pose(std::string_view text, Decimals decimals, std::string& fault);
 
 /// The same of an argument; "@FILE" stands for what is in that file. Throws InputError that names

@@ -105,17 +105,6 @@ const std::vector<ShapeName>& names() {
   return all;
 }
 
-/// `first`, and then `second`.
-Pose product(const Pose& second, const Pose& first) {
-  Pose result;
-  for (std::size_t row = 0; row < 3; ++row)
-    for (std::size_t column = 0; column < 4; ++column) {
-      result[row][column] = column == 3 ? second[row][3] : mpq_class(0);
-      for (std::size_t k = 0; k < 3; ++k) result[row][column] += second[row][k] * first[k][column];
-    }
-  return result;
-}
-
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   while (true) {
@@ -130,25 +119,45 @@ std::string_view whole_name(std::string_view field) {
   return field == "r" ? "radius" : field == "h" ? "half_length" : field;
 }
 
+constexpr std::string_view plane_prefix = "plane:";
+
+/// "capsule:r=1,h=2", and "plane:circle:r=1".
+struct ShapeWord {
+  unsigned dimension;
+  std::string_view name;
+  std::optional<std::string_view> fields;  ///< what stands behind the name's colon
+
+  explicit ShapeWord(std::string_view word) : dimension(word.starts_with(plane_prefix) ? 2 : 3) {
+    if (dimension == 2) word.remove_prefix(plane_prefix.size());
+    const std::size_t colon = word.find(':');
+    name = word.substr(0, colon);
+    if (colon != std::string_view::npos) fields = word.substr(colon + 1);
+  }
+};
+
 class ShapeText {
  public:
   ShapeText(const std::string& word, Decimals decimals) : word_(word), decimals_(decimals) {}
 
   Body read() {
-    const std::size_t colon = word_.find(':');
-    const std::string name = word_.substr(0, colon);
-    const NamedShape named = named_shape(name);
+    const ShapeWord word(word_);
+    dimension_ = word.dimension;
+    if (dimension_ == 2) words_.fields.axis = Axis::x;
+    const std::string name(word.name);
+    const NamedShape named = named_shape(name, dimension_);
     if (named.shape == nullptr)
-      fail("expected one of the shapes " + list_of_shapes() + "; found " + kernels::shown(name));
+      fail("expected one of the shapes " + list_of_shapes(dimension_) + "; found " + kernels::shown(name) +
+           (named_shape(name, 2).shape ? ": of the plane, it is plane:" + name + ":..." : ""));
     if (named.shape->part == ShapePart::terms || named.shape->part == ShapePart::vertices)
-      fail("a " + std::string(named.shape->name) + " has no short form: give it in a case, or a mesh");
-    for (const std::string_view part : split(std::string_view(word_).substr(colon + 1), ',')) field(*named.shape, part);
+      fail("a " + std::string(named.shape->name) + " has no short form: give it in a case, or a " +
+           (dimension_ == 2 ? "file" : "mesh"));
+    for (const std::string_view part : split(word.fields.value_or(""), ',')) field(*named.shape, part);
     const auto& read = words_.fields.numbers;
     for (const NumberField& field : named.shape->numbers) require(field.name, read.contains(field.name));
     if (named.rounded) require("margin", read.contains("margin"));
     words_.shape = name;
     try {
-      return body_of(std::move(words_));
+      return dimension_ == 2 ? body_in_plane(*named.shape) : body_of(std::move(words_));
     } catch (const std::invalid_argument& error) {
       fail(error.what());
     }
@@ -176,20 +185,30 @@ class ShapeText {
     return result;
   }
   [[nodiscard]] Point point(std::string_view text) const {
-    const std::vector<mpq_class> p = numbers(text, 3);
-    return {p[0], p[1], p[2]};
+    const std::vector<mpq_class> p = numbers(text, dimension_);
+    return {p[0], p[1], dimension_ == 2 ? mpq_class(0) : p[2]};
   }
   [[nodiscard]] Axis axis(std::string_view text) const {
     if (text == "x") return Axis::x;
     if (text == "y") return Axis::y;
-    if (text == "z") return Axis::z;
-    fail("expected the axis x, y or z, found " + kernels::shown(text));
+    if (text == "z" && dimension_ == 3) return Axis::z;
+    fail(std::string("expected the axis ") + (dimension_ == 2 ? "x or y" : "x, y or z") + ", found " +
+         kernels::shown(text));
+  }
+  [[nodiscard]] std::string_view turn() const { return dimension_ == 2 ? "half_angle" : "quaternion"; }
+
+  /// The words of bodies in space are none of these.
+  [[nodiscard]] Body body_in_plane(const ShapeName& shape) const {
+    Body body = files::body_of(made_shape(shape, words_.fields));
+    body.dimension = 2;
+    files::place(body, {.turn = words_.turn, .place = words_.place});
+    return body;
   }
 
-  static std::string fields(const ShapeName& shape) {
+  [[nodiscard]] std::string fields(const ShapeName& shape) const {
     std::string all;
     for (const NumberField& number : shape.numbers) all += std::string(number.name) + ", ";
-    return all + (shape.part == ShapePart::axis ? "axis, margin, at or quaternion" : "margin, at or quaternion");
+    return all + (shape.part == ShapePart::axis ? "axis, margin, at or " : "margin, at or ") + std::string(turn());
   }
 
   void field(const ShapeName& shape, std::string_view text) {
@@ -204,7 +223,9 @@ class ShapeText {
       words_.fields.axis = axis(value);
     } else if (name == "at") {
       words_.place = point(value);
-    } else if (name == "quaternion") {
+    } else if (name == turn() && dimension_ == 2) {
+      words_.turn.z = numbers(value, 1).front();
+    } else if (name == turn()) {
       const std::vector<mpq_class> q = numbers(value, 4);
       words_.turn = {q[0], q[1], q[2], q[3]};
     } else {
@@ -217,6 +238,7 @@ class ShapeText {
 
   const std::string& word_;
   Decimals decimals_;
+  unsigned dimension_ = 3;
   NamedBody words_;
   std::set<std::string> seen_;
 };
@@ -336,11 +358,12 @@ Body body_of(NamedBody body) {
 }
 
 bool is_shape_text(const std::string& word) {
-  const std::size_t colon = word.find(':');
-  if (colon == std::string::npos) return false;
-  const std::string_view name = std::string_view(word).substr(0, colon);
-  const bool is_word = !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == std::string_view::npos;
-  return named_shape(name).shape != nullptr || (is_word && word.find('=', colon) != std::string::npos);
+  const ShapeWord split(word);
+  if (!split.fields) return false;
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz_";
+  const bool is_word = !split.name.empty() && split.name.find_first_not_of(letters) == std::string_view::npos;
+  return named_shape(split.name, split.dimension).shape != nullptr ||
+         (is_word && split.fields->find('=') != std::string_view::npos);
 }
 
 Body parse_shape(const std::string& word, Decimals decimals) {

@@ -119,12 +119,14 @@ Body body_of(NamedBody body);
 
 /// Returns whether the word stands for a shape and not for a file: it begins with the name of a
 /// shape and a colon, "capsule:r=0.1,h=0.5", or with another word of small letters and a colon, and
-/// there are fields behind: `parse_shape` then says which shapes there are.
+/// there are fields behind: `parse_shape` then says which shapes there are. "plane:" may stand in
+/// front.
 bool is_shape_text(const std::string& word);
 
 /// Reads NAME:FIELD=VALUE,... with the fields of JSON, `r` for radius and `h` for half_length.
 /// Three numbers are joined by colons: box:half=1:2:3. `at` moves the shape, `quaternion` turns it
-/// before (w:x:y:z), `axis` is x, y or z. Hulls, triangles and sums have no such form. Throws
+/// before (w:x:y:z), `axis` is x, y or z. With "plane:" in front it is one of the plane:
+/// plane:box:half=1:2,at=3:4,half_angle=1/2. Hulls, triangles and sums have no such form. Throws
 /// InputError with a sentence on the first fault. `decimals` says what a decimal stands for.
 Body parse_shape(const std::string& word, Decimals decimals);
 

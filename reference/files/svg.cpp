@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bodies of the plane from SVG, read by pugixml: polygon, polyline, path of straight segments,
 // rect, circle and line, by their geometry alone; stroke, fill and style are not looked at.
-// Coordinates are those that are written: y points down on a screen, and up here. What would
-// change them is refused: transforms, units, curves.
+// Coordinates are those that are written: y points down on a screen, and up here. Transforms are
+// applied exactly. What would change a coordinate otherwise is refused: units, curves, turns by
+// other angles than quarter turns.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -17,6 +18,7 @@
 #include "kernels/messages.hpp"
 #include "kernels/number/text.hpp"
 #include "reference/files/mesh_formats.hpp"
+#include "reference/files/pose.hpp"
 #include "reference/files/shape_names.hpp"
 
 namespace fathom::files {
@@ -48,6 +50,25 @@ std::size_t number_size(std::string_view text) {
   return at;
 }
 
+constexpr std::size_t most_transforms = 100;  // around one shape: each may add digits
+
+/// The map from where an element is written to where it is drawn.
+struct Transform {
+  Pose pose{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+  std::size_t parts = 0;  ///< how many functions it is made of
+};
+
+/// The factor by which it makes lengths longer, if that is the same in every direction, and
+/// rational.
+std::optional<mpq_class> scale_of(const Pose& pose) {
+  const mpq_class &a = pose[0][0], &c = pose[0][1], &b = pose[1][0], &d = pose[1][1];
+  const mpq_class squared = a * a + b * b;
+  if (squared != c * c + d * d || a * c + b * d != 0) return std::nullopt;
+  if (!mpz_perfect_square_p(squared.get_num_mpz_t()) || !mpz_perfect_square_p(squared.get_den_mpz_t()))
+    return std::nullopt;
+  return mpq_class(sqrt(squared.get_num()), sqrt(squared.get_den()));
+}
+
 class SvgReader {
  public:
   SvgReader(std::string_view text, const std::string& file, Decimals decimals)
@@ -55,17 +76,17 @@ class SvgReader {
 
   std::vector<NamedPiece> read() {
     std::vector<NamedPiece> pieces;
-    std::vector<pugi::xml_node> ahead{root()};
+    std::vector<std::pair<pugi::xml_node, Transform>> ahead{{root(), {}}};
     while (!ahead.empty()) {
-      const pugi::xml_node node = ahead.back();
+      const auto [node, around] = std::move(ahead.back());
       ahead.pop_back();
-      if (const pugi::xml_node next = node.next_sibling()) ahead.push_back(next);
+      if (const pugi::xml_node next = node.next_sibling()) ahead.emplace_back(next, around);
       const std::string_view name = node.name();
       if (node.type() != pugi::node_element || name.find(':') != name.npos || is_not_drawn(name)) continue;
-      if (node.attribute("transform")) fail(node, "expected no transform, found one: apply it first");
+      const Transform placing = transform(node, around);
       const bool holds = name == "svg" || name == "g" || name == "a" || name == "switch";
-      if (!holds) pieces.push_back({body(node, name), node.attribute("id").value()});
-      else if (node.first_child()) ahead.push_back(node.first_child());
+      if (!holds) pieces.push_back({placed_body(node, name, placing.pose), node.attribute("id").value()});
+      else if (node.first_child()) ahead.emplace_back(node.first_child(), placing);
     }
     if (pieces.empty()) fail({}, "expected at least one shape (" + std::string(svg_shapes) + "), found none");
     return pieces;
@@ -112,6 +133,72 @@ class SvgReader {
     if (!parsed.value) fail(at, std::string(name) + "=: " + parsed.error);
     if (required && *parsed.value <= 0) fail(at, "expected " + std::string(name) + "= above 0, found another number");
     return *std::move(parsed.value);
+  }
+
+  /// "translate(1 2) scale(3)": the last one is applied first, and `around` last.
+  Transform transform(const pugi::xml_node& at, Transform around) const {
+    if (std::string_view(at.attribute("style").value()).find("transform") != std::string_view::npos ||
+        at.attribute("transform-origin"))
+      fail(at, "expected no transform in style= and no transform-origin=, found one: only transform= is read");
+    if (at.name() == std::string_view("svg") && at != document_.document_element())
+      for (const char* const name : {"x", "y", "viewBox"})
+        if (at.attribute(name)) fail(at, "expected no x=, y= or viewBox= of an inner svg, found one: use a transform");
+    std::string_view text = at.attribute("transform").value();
+    skip_separators(text);
+    while (!text.empty()) {
+      if (++around.parts > most_transforms)
+        fail(at, "expected at most " + std::to_string(most_transforms) + " transforms around a shape, found more");
+      const std::size_t open = text.find('(');
+      const std::string_view name = trimmed(text.substr(0, open));
+      if (open == std::string_view::npos)
+        fail(at, "expected a transform such as scale(2), found " + kernels::shown(text));
+      text.remove_prefix(open + 1);
+      skip_separators(text);
+      std::vector<mpq_class> numbers;
+      while (!text.empty() && !text.starts_with(')')) numbers.push_back(number(at, text));
+      if (text.empty()) fail(at, "expected ) behind " + kernels::shown(name) + ", found none");
+      text.remove_prefix(1);
+      skip_separators(text);
+      around.pose = product(around.pose, function(at, name, numbers));
+    }
+    return around;
+  }
+
+  Pose function(const pugi::xml_node& at, std::string_view name, const std::vector<mpq_class>& n) const {
+    const std::size_t count = n.size();
+    const auto map = [](const mpq_class& a, const mpq_class& b, const mpq_class& c, const mpq_class& d,
+                        const mpq_class& e, const mpq_class& f) {
+      return *plane_pose({{{a, c, e}, {b, d, f}}}).matrix;
+    };
+    if (name == "translate" && (count == 1 || count == 2)) return map(1, 0, 0, 1, n[0], count == 2 ? n[1] : 0);
+    if (name == "rotate" && (count == 1 || count == 3)) {
+      const mpq_class quarters = n[0] / 90;
+      if (quarters.get_den() != 1)
+        fail(at,
+             "expected a turn by a multiple of 90 degrees, found another: its sine is irrational or rounded; "
+             "matrix(cos sin -sin cos 0 0) says which numbers are meant");
+      const unsigned long turns = mpz_fdiv_ui(quarters.get_num_mpz_t(), 4);
+      const int cosine = turns == 0 ? 1 : turns == 2 ? -1 : 0, sine = turns == 1 ? 1 : turns == 3 ? -1 : 0;
+      const mpq_class x = count == 3 ? n[1] : mpq_class(0), y = count == 3 ? n[2] : mpq_class(0);
+      return map(cosine, sine, -sine, cosine, x - cosine * x + sine * y, y - sine * x - cosine * y);
+    }
+    const bool scale = name == "scale" && (count == 1 || count == 2), matrix = name == "matrix" && count == 6;
+    if (!scale && !matrix)
+      fail(at, "expected matrix(a b c d e f), translate(x y), scale(x y) or rotate(a x y), found " +
+                   kernels::shown(name) + " of " + std::to_string(count) + (count == 1 ? " number" : " numbers"));
+    if (scale ? n[0] == 0 || n.back() == 0 : n[0] * n[3] == n[1] * n[2])
+      fail(at, "expected a transform that does not flatten what it moves, found one that does");
+    return scale ? map(n[0], 0, 0, n.back(), 0, 0) : map(n[0], n[1], n[2], n[3], n[4], n[5]);
+  }
+
+  Body placed_body(const pugi::xml_node& at, std::string_view name, const Pose& pose) const {
+    Body result = body(at, name);
+    const std::optional<mpq_class> scale = scale_of(pose);
+    if (result.shape && !scale)
+      fail(at, "expected a circle that stays one, by a rational scale, found another transform of it");
+    place(result, {pose});
+    if (result.shape) result.shape->radius *= *scale;
+    return result;
   }
 
   std::vector<Point> points(const pugi::xml_node& at) const {

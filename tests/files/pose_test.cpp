@@ -98,6 +98,31 @@ TEST(PoseText, HasManyForms) {
   EXPECT_EQ(exact_pose(pose_of("xyz=1,2,3")), (Pose{{{1, 0, 0, 1}, {0, 1, 0, 2}, {0, 0, 1, 3}}}));
 }
 
+TEST(PoseText, OfThePlane) {
+  const Pose in_plane{{{0, -1, 0, 1}, {1, 0, 0, 2}, {0, 0, 1, 0}}};
+  for (const char* text : {"0 -1 1; 1 0 2", "0,-1,1,1,0,2", "[[0,-1,1],[1,0,2]]", "0 -1 1\n1 0 2\n",
+                           "xy=1,2 half_angle=1", "half_angle=1; xyz=1,2,0"}) {
+    EXPECT_EQ(exact_pose(pose_of(text)), in_plane) << text;
+    EXPECT_TRUE(pose_of(text).plane) << text;
+  }
+  EXPECT_EQ(exact_pose(pose_of("half_angle=1/2"))[0],
+            (std::array<mpq_class, 4>{mpq_class(3, 5), mpq_class(-4, 5), 0, 0}));
+  EXPECT_EQ(exact_pose(pose_of("xy=1,2")), (Pose{{{1, 0, 0, 1}, {0, 1, 0, 2}, {0, 0, 1, 0}}}));
+  EXPECT_FALSE(pose_of("xyz=1,2,0 rpy=0,0,90deg").plane);
+  EXPECT_EQ(fault_of("xy=1,2,3"), "xy: expected two numbers, found 3");
+  EXPECT_EQ(fault_of("half_angle=1,2"), "half_angle: expected one number, found 2");
+  EXPECT_EQ(fault_of("xy=1,2 xyz=1,2,0"), "expected one translation, found two");
+  EXPECT_EQ(fault_of("half_angle=1 rpy=0,0,90deg"), "expected one rotation, found two");
+  EXPECT_EQ(fault_of("1 0 x; 0 1 0"), "row 1, number 3: expected a number, found 'x': unexpected 'x'");
+  Body body{{{0, 0, 0}}};
+  EXPECT_THROW(place(body, pose_of("xy=1,2")), std::invalid_argument) << "law: it is none of a body in space";
+  body.dimension = 2;
+  place(body, pose_of("xy=1,2"));
+  EXPECT_EQ(body.points, (GivenPoints{{1, 2, 0}}));
+  EXPECT_THROW(place(body, pose_of("xyz=1,2,3")), std::invalid_argument);
+  EXPECT_EQ(note_of("1 0 0; 0 -1 1"), "det -1, a reflection: the body is mirrored");
+}
+
 TEST(PoseText, AFileMayBeginWithAByteOrderMark) {
   const std::string path =
       std::filesystem::temp_directory_path() / ("fathom_pose_test_" + std::to_string(std::random_device()()));
@@ -192,8 +217,8 @@ TEST(PoseText, FaultsSayWhatIsMeant) {
       {"quat=1,2,3", "quat: expected four numbers, found 3"},
       {"rpy=1,2,3", "with deg or rad behind"},
       {"rpy=1,2,xdeg", "rpy: expected a number"},
-      {"pos=1,2,3", "expected xyz=, quat=, xyzw=, rpy= or euler=, found 'pos'"},
-      {"=1", "expected xyz=, quat=, xyzw=, rpy= or euler=, found nothing"},
+      {"pos=1,2,3", "expected xyz=, quat=, xyzw=, rpy= or euler=, in the plane xy= or half_angle=, found 'pos'"},
+      {"=1", "expected xyz=, quat=, xyzw=, rpy= or euler=, in the plane xy= or half_angle=, found nothing"},
       {"xyz=1,2,3 foo", "xyz: expected three numbers, found 4"}};
   for (const auto& [text, fault] : faults)
     EXPECT_NE(fault_of(text).find(fault), std::string::npos) << text << ": " << fault_of(text);

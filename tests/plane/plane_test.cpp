@@ -16,6 +16,7 @@
 #include "fathom/union.hpp"
 #include "reference/answer/plane.hpp"
 #include "reference/files/cases.hpp"
+#include "reference/files/shape_names.hpp"
 #include "tests/plane/pairs.hpp"
 
 namespace fathom::plane {
@@ -345,6 +346,81 @@ TEST(Plane, IsReadFromPointsAndDrawings) {
   EXPECT_EQ(svg(R"(<circle cx="1" cy="2" r="0.1"/>)").shape,
             (Shape{fathom::hull(Points{{1, 2, 0}}).core, mpq_class(1, 10)}));
   EXPECT_EQ(svg(R"(<line x2="3" y2="4"/>)").points.exact(), (Points{{0, 0, 0}, {3, 4, 0}}));
+}
+
+Body svg_body(const std::string& shapes) { return parse_mesh("<svg>" + shapes + "</svg>", "x.svg", Decimals::exact); }
+
+TEST(Plane, TransformsOfDrawingsAreExact) {
+  const auto line = [](const std::string& transform) {
+    return svg_body("<line x1='1' y1='0' x2='5' y2='2' transform='" + transform + "'/>").points.exact();
+  };
+  EXPECT_EQ(line(" "), (Points{{1, 0, 0}, {5, 2, 0}}));
+  EXPECT_EQ(line("matrix(1 2 3 4 .5 -6)"), (Points{{mpq_class(3, 2), -4, 0}, {mpq_class(23, 2), 12, 0}}));
+  EXPECT_EQ(line("translate(0.1)"), (Points{{mpq_class(11, 10), 0, 0}, {mpq_class(51, 10), 2, 0}}));
+  EXPECT_EQ(line("translate ( 1 , -2 )"), (Points{{2, -2, 0}, {6, 0, 0}}));
+  EXPECT_EQ(line("scale(3)"), (Points{{3, 0, 0}, {15, 6, 0}}));
+  EXPECT_EQ(line("scale(3,-1)"), (Points{{3, 0, 0}, {15, -2, 0}}));
+  EXPECT_EQ(line("rotate(90)"), (Points{{0, 1, 0}, {-2, 5, 0}})) << "law: x goes to y";
+  EXPECT_EQ(line("rotate(180)"), (Points{{-1, 0, 0}, {-5, -2, 0}}));
+  EXPECT_EQ(line("rotate(-90)"), line("rotate(270)"));
+  EXPECT_EQ(line("rotate(90)rotate(270)"), line("rotate(720)"));
+  EXPECT_EQ(line("rotate(90 5 2)"), (Points{{7, -2, 0}, {5, 2, 0}})) << "law: about the point, which stays";
+  EXPECT_EQ(line("translate(1 2), scale(3)"), (Points{{4, 2, 0}, {16, 8, 0}})) << "law: the last one is first";
+  EXPECT_EQ(svg_body("<g transform='translate(1 2)'><a><g transform='scale(3)'>"
+                     "<line x1='1' x2='5' y2='2'/></g></a></g>")
+                .points.exact(),
+            line("translate(1 2) scale(3)"))
+      << "law: groups around it multiply";
+  EXPECT_EQ(
+      parse_mesh("<svg transform='scale(2)'><g transform='scale(9)'/><line x2='1'/></svg>", "x.svg", Decimals::exact)
+          .points.exact(),
+      (Points{{0, 0, 0}, {2, 0, 0}}))
+      << "law: of what is beside it nothing is applied";
+  const auto circle = [](const std::string& transform) {
+    return *svg_body("<circle cx='1' r='0.5' transform='" + transform + "'/>").shape;
+  };
+  EXPECT_EQ(circle("translate(1 2) scale(-3)"), (Shape{fathom::hull(Points{{-2, 2, 0}}).core, mpq_class(3, 2)}));
+  EXPECT_EQ(circle("matrix(6 8 8 -6 0 1)"), (Shape{fathom::hull(Points{{6, 9, 0}}).core, 5})) << "law: mirrored too";
+}
+
+TEST(Plane, HasShortWords) {
+  const auto word = [](const std::string& text) { return files::parse_shape(text, Decimals::exact); };
+  const auto said = [&](const std::string& text) -> std::string {
+    try {
+      word(text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const Body box = word("plane:box:half=1:2,at=3:4,half_angle=1");
+  EXPECT_EQ(box.dimension, 2U);
+  EXPECT_EQ(box.points.exact(), (Points{{5, 3, 0}, {5, 5, 0}, {1, 5, 0}, {1, 3, 0}})) << "law: a quarter turn, then at";
+  EXPECT_EQ(word("plane:circle:r=0.1").shape, (Shape{fathom::hull(Points{{}}).core, mpq_class(1, 10)}));
+  EXPECT_EQ(word("plane:capsule:r=1,h=2").shape, capsule(1, 2, Axis::x)) << "law: along x unless it is said";
+  EXPECT_EQ(word("plane:capsule:r=1,h=2,axis=y").shape, capsule(1, 2, Axis::y));
+  EXPECT_EQ(word("plane:rounded_box:half=1:1,margin=2").shape->radius, 2);
+  EXPECT_EQ(word("plane:halfplane:normal=0:2,offset=3").shape, halfspace({0, 2, 0}, 3));
+  for (const char* const name : {"plane:circle:r=1", "plane:box:", "plane:disc:r=1"})
+    EXPECT_TRUE(files::is_shape_text(name)) << name;
+  for (const char* const name : {"plane:", "plane:x.txt", "plane:circle"})
+    EXPECT_FALSE(files::is_shape_text(name)) << name;
+  EXPECT_EQ(said("circle:r=1"),
+            "circle:r=1: expected one of the shapes sphere, capsule, tapered_capsule, box, cylinder, cone, frustum, "
+            "ellipsoid, hull, triangle, halfspace, sum; found 'circle': of the plane, it is plane:circle:...");
+  EXPECT_EQ(said("plane:sphere:r=1"),
+            "plane:sphere:r=1: expected one of the shapes circle, capsule, box, polygon, halfplane; found 'sphere'");
+  EXPECT_EQ(said("plane:circle:r=1,quaternion=1:0:0:0"),
+            "plane:circle:r=1,quaternion=1:0:0:0: expected a field of a circle: radius, margin, at or half_angle; "
+            "found 'quaternion'");
+  EXPECT_EQ(said("plane:circle:r=1,at=1:2:3"),
+            "plane:circle:r=1,at=1:2:3: expected 2 numbers joined by colons, found '1:2:3'");
+  EXPECT_EQ(said("plane:capsule:r=1,h=1,axis=z"), "plane:capsule:r=1,h=1,axis=z: expected the axis x or y, found 'z'");
+  EXPECT_EQ(said("plane:polygon:margin=1"),
+            "plane:polygon:margin=1: a polygon has no short form: give it in a case, or a file");
+  EXPECT_EQ(said("box:half=1:2:3,half_angle=1"),
+            "box:half=1:2:3,half_angle=1: expected a field of a box: half, margin, at or quaternion; found "
+            "'half_angle'");
 }
 
 }  // namespace

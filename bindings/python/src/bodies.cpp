@@ -70,19 +70,17 @@ Body given_body(py::handle from, const char* no_union) {
 
 /// Returns the pose of 2 rows of 3 numbers, or 3 with the last 0 0 1: it leaves z as it is.
 files::GivenPose plane_pose(const py::sequence& rows) {
-  files::GivenPose pose;
-  Pose& matrix = pose.matrix.emplace();
-  matrix[2] = {0, 0, 1, 0};
+  std::array<std::array<mpq_class, 3>, 2> matrix;
   for (std::size_t i = 0; i < py::len(rows); ++i) {
     const py::object row = rows[i];  // indexing an array makes each row when it is read
     if (!PySequence_Check(row.ptr()) || py::len(row) != 3)
       refuse("expected a pose in the plane of 2 or 3 rows of 3 numbers");
     const auto entries = py::reinterpret_borrow<py::sequence>(row);
     const Point p = point_from(entries);
-    if (i < 2) matrix[i] = {p.x, p.y, 0, p.z};
+    if (i < 2) matrix[i] = {p.x, p.y, p.z};
     else if (p != Point{0, 0, 1}) refuse("expected 0 0 1 as the last row of a pose in the plane, found another");
   }
-  return pose;
+  return files::plane_pose(matrix);
 }
 
 /// Returns whether the first row has three numbers.
