@@ -51,6 +51,22 @@ int main(void) {
   remove("c_bodies.off");
   answer_about(a, b);
 
+  /* A link of a robot, where a joint puts it, and a disc in the plane with a square. */
+  if ((file = fopen("c_bodies.urdf", "w")) == NULL) return 1;
+  fputs(
+      "<robot name='r'><link name='base'/><link name='slide'><collision><geometry><box size='2 2 2'/></geometry>"
+      "</collision></link><joint name='lift' type='prismatic'><parent link='base'/><child link='slide'/>"
+      "<axis xyz='0 0 1'/><limit lower='0' upper='2'/></joint></robot>",
+      file);
+  fclose(file);
+  fathom_body_read("c_bodies.urdf#slide", FATHOM_HULL, "lift=3/2", NULL, 0, FATHOM_EXACT_DECIMALS, &a);
+  remove("c_bodies.urdf");
+  fathom_body_read("sphere:r=1", FATHOM_HULL, NULL, NULL, 0, FATHOM_EXACT_DECIMALS, &b);
+  answer_about(a, b);
+  fathom_body_read("plane:circle:r=1", FATHOM_HULL, NULL, NULL, 0, FATHOM_EXACT_DECIMALS, &a);
+  fathom_body_from_shape("plane:box:half=1:1,at=3/2:0", FATHOM_EXACT_DECIMALS, &b);
+  answer_about(a, b);
+
   /* What is none is NULL, and the reason is kept. */
   if (fathom_body_from_shape("sphere:r=-1", FATHOM_EXACT_DECIMALS, &a) == FATHOM_BAD_INPUT)
     printf("%s\n", fathom_last_error());
@@ -61,4 +77,6 @@ int main(void) {
 //> disjoint, signed depth -sqrt(2)+1; all in JSON: {"schema":"fathom/result/2"...
 //> penetrating, signed depth 1/4; all in JSON: {"schema":"fathom/result/2"...
 //> about the convex hulls: A is open
+//> penetrating, signed depth 1/2; all in JSON: {"schema":"fathom/result/2"...
+//> penetrating, signed depth 1/2; all in JSON: {"schema":"fathom/result/2"...
 //> sphere:r=-1: the radius of a sphere is not positive: -1

@@ -19,6 +19,7 @@
 #include "fathom/solid.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
+#include "reference/files/robot.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/rounded/coordinates.hpp"
 
@@ -66,6 +67,15 @@ fathom_body placed(const fathom_body& from, const files::GivenPose& pose) {
   Body body = *from.body;
   files::place(body, pose);
   return handle(std::move(body));
+}
+
+/// What a mesh stands for.
+files::MeshAs meshes_from(int meshes) {
+  if (meshes == FATHOM_HULL) return files::MeshAs::hull;
+  if (meshes == FATHOM_PIECES) return files::MeshAs::pieces;
+  if (meshes == FATHOM_SOLID) return files::MeshAs::solid;
+  throw std::invalid_argument("meshes: expected FATHOM_HULL, FATHOM_PIECES or FATHOM_SOLID, found " +
+                              std::to_string(meshes));
 }
 
 const Body& piece_from(const fathom_body* piece, const std::string& name) {
@@ -211,6 +221,26 @@ int fathom_body_from_shape(const char* shape, int decimals, fathom_body** body) 
   return make_handle(body, [&] {
     require(shape, "shape");
     return handle(fathom::files::parse_shape(shape, decimals_from(decimals)));
+  });
+}
+
+int fathom_body_read(const char* input, int meshes, const char* joints, const char* const* package_paths, size_t count,
+                     int decimals, fathom_body** body) {
+  return make_handle(body, [&] {
+    require(input, "input");
+    fathom::files::RobotOptions options{decimals_from(decimals), meshes_from(meshes)};
+    if (count > 0) require(package_paths, "package_paths");
+    for (std::size_t i = 0; i < count; ++i) {
+      require(package_paths[i], "package_paths");
+      options.package_paths.emplace_back(package_paths[i]);
+    }
+    const auto values = joints ? fathom::files::parse_joints(joints, options.decimals) : fathom::files::JointValues();
+    if (!values)
+      throw std::invalid_argument("joints: expected values such as shoulder=1/2,elbow=-0.3, found another text");
+    fathom::files::InputBody read = fathom::files::read_input(input, options, *values);
+    fathom::files::require_joints(read.robot ? std::vector{*read.robot} : std::vector<fathom::files::Robot>(), *values);
+    const bool cut = options.meshes == fathom::files::MeshAs::solid && !read.body.pieces;
+    return handle(cut ? fathom::solid_body(read.body) : std::move(read.body));
   });
 }
 

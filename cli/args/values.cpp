@@ -14,6 +14,7 @@
 #include "reference/approximate/separation.hpp"
 #include "reference/files/file_io.hpp"
 #include "reference/files/piece_files.hpp"
+#include "reference/files/robot.hpp"
 #include "reference/solve/depth.hpp"
 #include "verify/judge/truth.hpp"
 
@@ -93,17 +94,6 @@ std::optional<Twist> typed_twist(std::string_view text) {
 std::optional<Twist> typed_motion(std::string_view text) {
   const std::optional<Point> v = typed_vector(text);
   return v ? std::optional(Twist{*v, {}}) : typed_twist(text);
-}
-
-std::optional<std::map<std::string, mpq_class, std::less<>>> typed_joints(std::string_view text, Decimals decimals) {
-  std::map<std::string, mpq_class, std::less<>> values;
-  for (const std::string& word : words_of(text)) {
-    const std::size_t equals = word.rfind('=');
-    if (equals == word.npos || equals == 0) return std::nullopt;
-    const ParsedNumber number = parse_number(std::string_view(word).substr(equals + 1), decimals);
-    if (!number.value || !values.emplace(word.substr(0, equals), *number.value).second) return std::nullopt;
-  }
-  return values.empty() ? std::nullopt : std::optional(std::move(values));
 }
 
 std::optional<std::vector<unsigned>> typed_sizes(std::string_view text) {
@@ -204,8 +194,8 @@ std::string wrong_motion(const std::string& text) {
 }
 
 std::string wrong_joints(const std::string& text) {
-  return unless(typed_joints(text).has_value(), "joints with their values, each once, such as shoulder=1/2,elbow=-0.3",
-                text);
+  return unless(files::parse_joints(text).has_value(),
+                "joints with their values, each once, such as shoulder=1/2,elbow=-0.3", text);
 }
 
 std::string wrong_twist(const std::string& text) {

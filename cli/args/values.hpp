@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,9 +35,6 @@ std::optional<Point> typed_vector(std::string_view text);
 std::optional<Twist> typed_twist(std::string_view text);
 /// Parses six such numbers, or three: v alone.
 std::optional<Twist> typed_motion(std::string_view text);
-/// The values of joints, "shoulder=1/2,elbow=-0.3", each named once; or nullopt.
-std::optional<std::map<std::string, mpq_class, std::less<>>> typed_joints(std::string_view text,
-                                                                          Decimals decimals = Decimals::exact);
 /// Parses "10..10000", or "10,20,50", which must ascend. A range yields its ends, and 1, 2 and 5
 /// times the powers of ten between them.
 std::optional<std::vector<unsigned>> typed_sizes(std::string_view text);

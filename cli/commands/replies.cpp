@@ -28,50 +28,30 @@
 namespace fathom::cli {
 namespace {
 
-/// Returns the link where its robot puts it. Adds the robot to those that were read before.
-Body link_of_input(const std::string& input, const BodiesRequest& request, std::vector<files::Robot>& robots) {
-  const auto [robot, link] = files::read_link(input, request.decimals);
-  const files::PosedRobot posed = files::posed(robot, request.joints);
-  if (std::ranges::find(robots, robot.file, &files::Robot::file) == robots.end())
-    for (const std::string& note : posed.notes) talk(robot.file + ": " + note);
-  robots.push_back(robot);
-  return files::body_of(posed, link, request.robots);
-}
-
-void tell_of_file(const std::string& input, const Body& body) {
-  for (const std::string& note : files::file_notes(body)) talk(input + ": " + note);
-}
-
-/// Returns the union of the pieces of a file or folder, each of which needs an interior.
-Body union_of_input(const std::string& input, const BodiesRequest& request) {
-  Body body = files::read_union(input, request.decimals, [&](const files::NamedPiece& piece, std::size_t number) {
-    if (piece.mesh.shape) return true;  // refused by the reader
-    if (!answer::is_flat_body(piece.mesh)) return true;
-    const std::string which =
-        fmt::format("piece {}{}", number, piece.name.empty() ? "" : fmt::format(" ({})", kernels::shown(piece.name)));
-    if (!request.skip_flat)
-      throw InputError(
-          input, 0,
-          fmt::format("{} is flat: the pieces of a union need interiors (--skip-flat goes on without it)", which));
-    talk(fmt::format("{}: {} is flat, and left out", input, which));
-    return false;
-  });
-  tell_of_file(input, body);
-  return body;
-}
-
-/// Returns the body in a file or folder, of the description of a shape, or of a link.
-Body body_of_input(const std::string& input, const BodiesRequest& request, std::vector<files::Robot>& robots) {
-  const bool is_link = files::is_robot_text(input);
-  if (!is_link && !files::is_shape_text(input))
-    return request.pieces ? union_of_input(input, request) : mesh_of_input(input, request.decimals);
-  Body body = is_link ? link_of_input(input, request, robots) : files::parse_shape(input, request.decimals);
-  const bool is_union = request.pieces || request.solids;
-  if (is_union && body.shape)
+/// Refuses a flat piece of a file, or tells that it is left out.
+bool stays(const std::string& input, const BodiesRequest& request, const files::NamedPiece& piece, std::size_t number) {
+  if (piece.mesh.shape) return true;  // refused by the reader
+  if (!answer::is_flat_body(piece.mesh)) return true;
+  const std::string which =
+      fmt::format("piece {}{}", number, piece.name.empty() ? "" : fmt::format(" ({})", kernels::shown(piece.name)));
+  if (!request.skip_flat)
     throw InputError(
         input, 0,
-        "expected a polytope, found a shape that is none: unions with radii have another depth than their cores");
-  return is_union && !body.pieces ? files::union_of({body}) : body;
+        fmt::format("{} is flat: the pieces of a union need interiors (--skip-flat goes on without it)", which));
+  talk(fmt::format("{}: {} is flat, and left out", input, which));
+  return false;
+}
+
+/// Returns the body that the input stands for. Adds its robot to those that were read before.
+Body body_of_input(const std::string& input, const BodiesRequest& request, std::vector<files::Robot>& robots) {
+  files::InputBody read = files::read_input(
+      input, request.robots, request.joints,
+      [&](const files::NamedPiece& piece, std::size_t number) { return stays(input, request, piece, number); });
+  const bool again = read.robot && std::ranges::find(robots, read.robot->file, &files::Robot::file) != robots.end();
+  if (!again)
+    for (const std::string& note : read.notes) talk(note);
+  if (read.robot) robots.push_back(*std::move(read.robot));
+  return std::move(read.body);
 }
 
 /// Cuts the mesh, in its pose, into convex pieces.
@@ -175,7 +155,7 @@ BodiesRequest::BodiesRequest(const Given& given)
   robots.decimals = decimals;
   robots.meshes = pieces ? files::MeshAs::pieces : solids ? files::MeshAs::solid : files::MeshAs::hull;
   robots.package_paths = given.words("--package-path");
-  joints = typed_joints(given.text("--joints"), decimals).value_or(files::JointValues());
+  joints = files::parse_joints(given.text("--joints"), decimals).value_or(files::JointValues());
 }
 
 std::vector<Body> bodies_of_inputs(const BodiesRequest& request) {
@@ -188,7 +168,7 @@ std::vector<Body> bodies_of_inputs(const BodiesRequest& request) {
 
 Body mesh_of_input(const std::string& input, Decimals decimals) {
   Body body = read_mesh(input, decimals);
-  tell_of_file(input, body);
+  for (const std::string& note : files::file_notes(body)) talk(input + ": " + note);
   return body;
 }
 

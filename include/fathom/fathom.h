@@ -91,13 +91,28 @@ FATHOM_API int fathom_body_in_plane(const fathom_body* body, fathom_body** plane
 
 /** Makes a shape of its short form, as the command line takes it: "sphere:r=1",
  * "capsule:r=0.1,h=0.5,at=1:2:3", "box:half=1:2:3,margin=1/10"; tapered_capsule, cylinder, cone,
- * frustum, ellipsoid and halfspace too. docs/shapes.md lists their fields. */
+ * frustum, ellipsoid and halfspace too; and of the plane "plane:circle:r=1". docs/shapes.md and
+ * docs/plane.md list their fields. */
 FATHOM_API int fathom_body_from_shape(const char* shape, int decimals, fathom_body** body);
 
 /** Reads the file of a mesh: OFF, OBJ, PLY, STL, glTF, COLLADA, 3MF, or points alone; "a.glb#name"
  * is one mesh of several. Its hull is the body: whether the mesh is another one,
  * fathom_answer_dents tells. */
 FATHOM_API int fathom_body_from_mesh(const char* path, int decimals, fathom_body** body);
+
+/** What a mesh of a file stands for. */
+enum {
+  FATHOM_HULL = 0,   /**< its convex hull */
+  FATHOM_PIECES = 1, /**< the union of the groups of its file, or of the files of a folder */
+  FATHOM_SOLID = 2   /**< what it goes around, if it is closed */
+};
+
+/** Makes the body that a word of the command line stands for: a file, of a mesh or of the plane; a
+ * link of a robot in URDF, "arm.urdf#hand", where the robot puts it; a shape in its short form.
+ * `joints` has the values of joints, in radians and lengths, "shoulder=1/2,elbow=-0.3"; NULL for
+ * none. `package_paths` are `count` folders for meshes that are named package://NAME/FILE. An angle
+ * is turned by an exact rotation less than 2^-45 rad off. docs/robots.md says what is read. */
+FATHOM_API int fathom_body_read(const char* input, int meshes, const char* joints, const char* const* package_paths, size_t count, int decimals, fathom_body** body);
 
 /** Makes the union of `count` convex pieces, from 1 to 2^31, each a body: the hull of points.
  * They may overlap, abut and repeat: where two meet in a common face there is no gap. A piece
@@ -150,8 +165,9 @@ FATHOM_API int fathom_bodies_from_case(const char* json, fathom_body** a, fathom
 FATHOM_API int fathom_body_moved(const fathom_body* body, const double pose[12], fathom_body** moved);
 
 /** The same of a pose as text, as the option --pose-a takes it: twelve or sixteen numbers, or
- * "xyz=1,2,3 quat=W,X,Y,Z", with xyzw=X,Y,Z,W or rpy=0,0,90deg instead of quat. The rotation of a
- * quaternion is exact, whatever its length. */
+ * "xyz=1,2,3 quat=W,X,Y,Z", with xyzw=X,Y,Z,W or rpy=0,0,90deg instead of quat; of bodies of the
+ * plane six numbers, or "xy=1,2 half_angle=1/3". The rotation of a quaternion is exact, whatever
+ * its length. */
 FATHOM_API int fathom_body_posed(const fathom_body* body, const char* pose, int decimals, fathom_body** moved);
 
 /** Ends a body. NULL is allowed. */

@@ -455,6 +455,19 @@ std::vector<Body> bodies_of(const PosedRobot& posed, std::size_t link, const Rob
   return {union_of(pieces)};
 }
 
+std::optional<JointValues> parse_joints(std::string_view text, Decimals decimals) {
+  JointValues values;
+  while (true) {
+    const std::string_view word = text.substr(0, text.find(','));
+    const std::size_t equals = word.rfind('=');
+    if (equals == word.npos || equals == 0) return std::nullopt;
+    const ParsedNumber number = parse_number(word.substr(equals + 1), decimals);
+    if (!number.value || !values.emplace(word.substr(0, equals), *number.value).second) return std::nullopt;
+    if (word.size() == text.size()) return values;
+    text.remove_prefix(word.size() + 1);
+  }
+}
+
 Body body_of(const PosedRobot& posed, std::size_t link, const RobotOptions& options) {
   std::vector<Body> bodies = bodies_of(posed, link, options);
   if (bodies.size() == 1) return std::move(bodies.front());
@@ -497,6 +510,34 @@ LinkOfRobot read_link(const std::string& word, Decimals decimals) {
   throw InputError(
       robot.file, 0,
       fmt::format("expected FILE.urdf#LINK with a link of the robot ({}), found {}", listed(names), shown(name)));
+}
+
+InputBody read_input(const std::string& input, const RobotOptions& options, const JointValues& joints,
+                     const PieceFilter& stays) {
+  InputBody read;
+  const bool is_link = is_robot_text(input);
+  if (!is_link && !is_shape_text(input)) {
+    read.body = options.meshes == MeshAs::pieces ? read_union(input, options.decimals, stays)
+                                                 : read_mesh(input, options.decimals);
+    for (const std::string& note : file_notes(read.body)) read.notes.push_back(input + ": " + note);
+    return read;
+  }
+  if (is_link) {
+    LinkOfRobot found = read_link(input, options.decimals);
+    read.robot = found.robot;
+    const PosedRobot position = posed(std::move(found.robot), joints);
+    for (const std::string& note : position.notes) read.notes.push_back(read.robot->file + ": " + note);
+    read.body = body_of(position, found.link, options);
+  } else {
+    read.body = parse_shape(input, options.decimals);
+  }
+  if (options.meshes == MeshAs::hull) return read;
+  if (read.body.shape)
+    throw InputError(
+        input, 0,
+        "expected a polytope, found a shape that is none: unions with radii have another depth than their cores");
+  if (!read.body.pieces) read.body = union_of(std::vector<Body>{std::move(read.body)});
+  return read;
 }
 
 }  // namespace fathom::files

@@ -18,6 +18,7 @@
 
 #include "fathom/body.hpp"
 #include "fathom/numbers.hpp"
+#include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/files/shape_names.hpp"
 
@@ -29,6 +30,10 @@ enum class MeshAs { hull, pieces, solid };
 
 /// The values of joints by their names: radians, or lengths.
 using JointValues = std::map<std::string, mpq_class, std::less<>>;
+
+/// The values in "shoulder=1/2,elbow=-0.3", of which each joint is named once; nullopt for another
+/// text.
+std::optional<JointValues> parse_joints(std::string_view text, Decimals decimals = Decimals::exact);
 
 /// How a robot is read.
 struct RobotOptions {
@@ -133,5 +138,21 @@ LinkOfRobot read_link(const std::string& word, Decimals decimals);
 /// The one body of the link. Throws InputError for a link without an element, or with several that
 /// are no union of convex pieces.
 Body body_of(const PosedRobot& posed, std::size_t link, const RobotOptions& options);
+
+// ---- any input as a body ----
+
+/// What an input stands for, and sentences on what users may not expect of it.
+struct InputBody {
+  Body body;
+  std::vector<std::string> notes = {};
+  std::optional<Robot> robot = {};  ///< of which it is a link
+};
+
+/// Reads a link of a robot, in this position; a shape in short words; or a file, which for a union
+/// of pieces may be a folder, of which `stays` may leave out some. Links and shapes are unions if
+/// meshes are not hulls; a file's mesh of which a solid is wanted stays one, to be cut where it
+/// stands in the end. Throws InputError. Names of joints are left to require_joints.
+InputBody read_input(const std::string& input, const RobotOptions& options, const JointValues& joints,
+                     const PieceFilter& stays = {});
 
 }  // namespace fathom::files

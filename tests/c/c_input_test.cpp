@@ -70,6 +70,19 @@ TEST(CBadInput, Texts) {
   expect_refused(
       [](fathom_body** body) { return fathom_body_from_mesh("no such file.off", FATHOM_EXACT_DECIMALS, body); },
       "no such file.off");
+  const auto input = [](const char* word, int meshes = FATHOM_HULL, const char* joints = nullptr, std::size_t paths = 0,
+                        int decimals = FATHOM_EXACT_DECIMALS) {
+    return [=](fathom_body** body) { return fathom_body_read(word, meshes, joints, nullptr, paths, decimals, body); };
+  };
+  expect_refused(input(nullptr), "input: expected a pointer");
+  expect_refused(input("no such file.off"), "no such file.off");
+  expect_refused(input("sphere:r=1", 3), "meshes: expected FATHOM_HULL, FATHOM_PIECES or FATHOM_SOLID, found 3");
+  expect_refused(input("sphere:r=1", FATHOM_PIECES), "expected a polytope, found a shape that is none");
+  expect_refused(input("sphere:r=1", FATHOM_HULL, "elbow"), "joints: expected values such as");
+  expect_refused(input("sphere:r=1", FATHOM_HULL, "elbow=1"), "elbow");
+  expect_refused(input("sphere:r=1", FATHOM_HULL, nullptr, 1), "package_paths: expected a pointer");
+  expect_refused(input("sphere:r=1", FATHOM_HULL, nullptr, 0, 7), "decimals: expected");
+  expect_refused(input(FATHOM_TEST_DATA "/../../examples/data/arm.urdf#hand"), "a link of the robot");
   const auto json = [](const char* text) {
     return [=](fathom_body** body) {
       auto* other = reinterpret_cast<fathom_body*>(1);

@@ -2,6 +2,7 @@
 """Bodies: what they are called, how large they are, whether a mesh is its hull; and what pickle keeps of them."""
 import copy
 import json
+import math
 import os
 import pathlib
 import pickle
@@ -147,3 +148,29 @@ def test_convexity_is_found_once():
         assert fathom.convexity(cube.moved(np.diag([2, 3, 4, 1]))).convex
     assert str(fathom.convexity(dented)) == ("Convexity(convex=False, volume_ratio=1.3333333333333333, deepest=4, "
                                              "squared_depth=0.3333333333333333)")
+
+
+def test_what_the_command_line_reads(tmp_path):
+    cube = fathom.read("tests/data/cube.off")
+    assert (cube.points == fathom.read_mesh("tests/data/cube.off").points).all()
+    assert len(fathom.read("tests/data/key.obj", meshes="pieces").pieces) == 3
+    assert fathom.read("box:half=1:2:3", meshes="solid").pieces[0].shape == (8, 3)
+    spanner = fathom.read("tests/data/decompositions/spanner.off", meshes="solid")
+    assert len(spanner.pieces) == len(fathom.solid(fathom.read_mesh("tests/data/decompositions/spanner.off")).pieces)
+    assert fathom.depth(fathom.read("sphere:r=0.1", decimals="exact"), fathom.sphere("0.1")).exact.signed_depth.rational == Fraction(1, 5)
+    circle, plate = fathom.read("plane:circle:r=1"), fathom.read("examples/data/plate.svg")
+    assert circle.dimension == plate.dimension == 2
+    for joint in (Fraction(1, 32), "1/32", 0.03125):  # law: numbers are taken exactly
+        left = fathom.read("examples/data/arm.urdf#left", joints={"grip": joint})
+        assert fathom.depth(left, fathom.read("examples/data/arm.urdf#right", joints={"grip": joint})).signed_depth == -0.0625
+    with pytest.warns(UserWarning, match="1 angle that is not 0, each turned by an exact rotation"):
+        forearm = fathom.read("examples/data/arm.urdf#forearm", joints={"elbow": math.pi})
+    assert fathom.depth(forearm, fathom.read("examples/data/arm.urdf#base")).depth == 0.25
+    robot = '<robot name="r"><link name="l"><collision><geometry><mesh filename="package://parts/cube.off"/></geometry></collision></link></robot>'
+    (tmp_path / "robots").mkdir()
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "robots" / "r.urdf").write_text(robot)
+    (tmp_path / "parts" / "cube.off").write_bytes(pathlib.Path("tests/data/cube.off").read_bytes())
+    assert len(fathom.read(tmp_path / "robots" / "r.urdf#l", package_path=[tmp_path]).points) == 8
+    with pytest.raises(ValueError, match="parts/cube.off"):
+        fathom.read(tmp_path / "robots" / "r.urdf#l")

@@ -44,7 +44,7 @@ except ImportError as fault:
 from fathom import plane
 from fathom._answers import Depth, Depths, Exact, NotConvexWarning, Optimum, Root, check, Checked, depth, depths, distance, width, Width
 from fathom._bodies import (Body, Convexity, Coverage, Pose, box, capsule, cone, convexity, coverage, cylinder, ellipsoid, frustum,
-                            halfspace, pose, read_mesh, read_pieces, solid, sphere, tapered_capsule, union)
+                            halfspace, pose, read, read_mesh, read_pieces, solid, sphere, tapered_capsule, union)
 from fathom._fathom import version as __version__
 from fathom._files import Case, Record, cases, family, golden
 from fathom._patches import Derivative, Gradient, OptimalCone, Patch, PatchCorner, VertexWeights
@@ -58,4 +58,5 @@ __all__ = ["Approx", "Body", "Case", "Checked", "Convexity", "Coverage", "Depth"
            "Ray", "Record", "Root", "Study", "UnionBounds", "UnionDepth", "UnionDistance", "UnionOptimum", "VertexWeights", "Width",
            "approx", "box", "capsule", "cases", "check", "closer_than", "cone", "convexity", "coverage", "cylinder", "depth", "depths",
            "distance", "ellipsoid", "family", "frustum", "golden", "growth", "halfspace", "judge", "metric", "overlap", "plane", "pose",
-           "ray", "read_mesh", "read_pieces", "solid", "sphere", "study", "tapered_capsule", "union", "union_depth", "width", "__version__"]
+           "ray", "read", "read_mesh", "read_pieces", "solid", "sphere", "study", "tapered_capsule", "union", "union_depth", "width",
+           "__version__"]

@@ -6,14 +6,14 @@ import copyreg
 import math
 import os
 from fractions import Fraction
-from typing import Any, Iterable, NamedTuple
+from typing import Any, Iterable, Mapping, NamedTuple
 
 from fathom import _fathom
 from fathom._fathom import Body, Pose
 from fathom._types import BodyLike, FractionTriple, Number, Triple, UnionLike
 
 __all__ = ["Body", "Convexity", "Coverage", "Pose", "box", "capsule", "cone", "convexity", "coverage", "cylinder", "ellipsoid", "frustum",
-           "halfspace", "pose", "read_mesh", "read_pieces", "solid", "sphere", "tapered_capsule", "union"]
+           "halfspace", "pose", "read", "read_mesh", "read_pieces", "solid", "sphere", "tapered_capsule", "union"]
 
 
 def _body_of_state(*state: Any) -> Body:
@@ -89,6 +89,30 @@ def pose(quaternion: Triple = (1, 0, 0, 0), translation: Triple = (0, 0, 0)) -> 
     (Fraction(0, 1), Fraction(-1, 1), Fraction(0, 1), Fraction(0, 1))
     """
     return _fathom.pose(quaternion, translation)
+
+
+def read(name: str | os.PathLike[str], *, meshes: str = "hull", joints: Mapping[str, Number] | None = None,
+         package_path: Iterable[str | os.PathLike[str]] = (), decimals: str = "binary64") -> Body:
+    """The body that a word of the command line stands for: a file of a mesh or of the plane, a link of a robot, a shape in short words.
+
+    So "arm.urdf#hand" is the link "hand" where its robot (docs/robots.md) puts it, in the frame of the root, and "capsule:r=0.1,h=0.5" a
+    shape (docs/shapes.md). What fathom would say on stderr, as that an angle is turned by a rotation near it, is a UserWarning.
+
+    meshes        "hull": a mesh stands for its convex hull; "pieces": for the groups of its file; "solid": for what it
+                  goes around, as for `solid`. With the last two the body is a union.
+    joints        values of joints by their names, in radians and lengths; other joints are at 0, or at the limit that is nearest to 0
+    package_path  folders in which meshes of the form package://NAME/FILE are looked for
+    decimals      what "0.1" in a text stands for: "binary64", the nearest float, as other programs read it; or "exact", 1/10
+
+    >>> import fathom
+    >>> hand = fathom.read("examples/data/arm.urdf#left", joints={"grip": "1/32"})
+    >>> base = fathom.read("examples/data/arm.urdf#base")
+    >>> fathom.depth(hand, base).status
+    'disjoint'
+    >>> fathom.read("plane:box:half=1:2,at=3:4").dimension
+    2
+    """
+    return _fathom.read(os.fspath(name), meshes, dict(joints or {}), [os.fspath(folder) for folder in package_path], decimals)
 
 
 def read_mesh(path: str, decimals: str = "binary64") -> Body:

@@ -18,10 +18,12 @@
 #include "fathom/shape.hpp"
 #include "fathom/solid.hpp"
 #include "fathom/union.hpp"
+#include "kernels/messages.hpp"
 #include "reference/answer/plane.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
+#include "reference/files/robot.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/shapes/body_notes.hpp"
 #include "reference/shapes/core.hpp"
@@ -370,6 +372,32 @@ std::vector<Body> pieces_from(py::handle from, const std::string& called, const 
   return pieces;
 }
 
+files::MeshAs meshes_from(const std::string& text) {
+  if (text == "hull") return files::MeshAs::hull;
+  if (text == "pieces") return files::MeshAs::pieces;
+  if (text == "solid") return files::MeshAs::solid;
+  refuse("expected meshes to be one of 'hull', 'pieces', 'solid', found " + kernels::shown(text));
+}
+
+/// Reads what a word of the command line stands for; what users may not expect is a warning.
+Body body_in_input(const std::string& name, const std::string& meshes, const py::dict& joints,
+                   const std::vector<std::string>& package_path, const std::string& decimals) {
+  const files::RobotOptions options{decimals_from(decimals), meshes_from(meshes), package_path};
+  files::JointValues values;
+  for (const auto& [joint, value] : joints)
+    values[joint.cast<std::string>()] = named("joints", [&, given = value] { return number_from(given); });
+  files::InputBody read = files::read_input(name, options, values);
+  files::require_joints(read.robot ? std::vector{*read.robot} : std::vector<files::Robot>(), values);
+  if (options.meshes == files::MeshAs::solid && !read.body.pieces) {
+    const py::gil_scoped_release unlocked;
+    read.body = solid_body(read.body);
+  }
+  for (const std::string& note : read.notes)
+    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 2) != 0) throw py::error_already_set();
+  if (options.meshes == files::MeshAs::pieces) warn_of_dents(read.body, name);
+  return read.body;
+}
+
 Body union_in_files(const std::string& path, const std::string& decimals) {
   Body body = files::read_union(path, decimals_from(decimals));
   warn_of_dents(body, path);
@@ -533,6 +561,8 @@ void bind_bodies(py::module_& module) {
       },
       py::arg("mesh"));
   module.def("coverage", coverage_of, py::arg("mesh"), py::arg("pieces"));
+  module.def("read", body_in_input, py::arg("name"), py::arg("meshes"), py::arg("joints"), py::arg("package_path"),
+             py::arg("decimals"));
   module.def("read_pieces", union_in_files, py::arg("path"), py::arg("decimals"));
   module.def(
       "read_mesh",
