@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every library that fathom is built from. What each is for: docs/architecture.md. The headers of
-# CGAL, simdjson and pugixml are used inside .cpp files only.
+# CGAL and pugixml are used inside .cpp files only.
 if(FATHOM_STATIC)
   set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
   add_link_options(-static)
@@ -18,7 +18,6 @@ set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 find_package(CGAL 5.5 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(Threads REQUIRED)
-find_package(simdjson REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(TBB REQUIRED)
@@ -37,7 +36,7 @@ endif()
 
 find_package(zstd REQUIRED)
 if(FATHOM_STATIC)
-  foreach(library fmt::fmt=fmt simdjson::simdjson=simdjson pugixml::shared=pugixml TBB::tbb=tbb mimalloc=mimalloc zstd::libzstd_shared=zstd)
+  foreach(library fmt::fmt=fmt pugixml::shared=pugixml TBB::tbb=tbb mimalloc=mimalloc zstd::libzstd_shared=zstd)
     string(REGEX MATCH "^(.*)=(.*)$" library ${library})
     find_library(FATHOM_ARCHIVE_${CMAKE_MATCH_2} ${CMAKE_MATCH_2} REQUIRED)
     set_target_properties(${CMAKE_MATCH_1} PROPERTIES IMPORTED_LOCATION_RELEASE ${FATHOM_ARCHIVE_${CMAKE_MATCH_2}})

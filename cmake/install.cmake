@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # After `cmake --install`, a foreign project says find_package(fathom), links fathom::fathom and includes <fathom/fathom.hpp>, or one of the
 # headers beside it. Tests of other implementations need fathom::judge alone, checkers of certificates fathom::check alone.
-# It needs GMP, MPFR, fmt, simdjson and pugixml, which the static libraries link; CGAL was used in their making only. Who includes
+# It needs GMP, MPFR, fmt and pugixml, which the static libraries link; CGAL was used in their making only. Who includes
 # <fathom/cgal.hpp> links CGAL::CGAL too.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)

@@ -29,7 +29,7 @@ version=$(sed -n 's/^project(fathom VERSION \([^ ]*\).*/\1/p' "$root/CMakeLists.
 date=$(dpkg-parsechangelog -l "$root/packaging/debian/changelog" -S Timestamp)
 built=$root/build/static-$arch # as deep as build/release: ccache knows what was compiled there
 work=$built.work
-shared_only=(fmtlib simdjson onetbb mimalloc)
+shared_only=(fmtlib onetbb mimalloc)
 
 # Debian's sources of the libraries that it does not have as archives; its apt checks their signatures.
 fetch_sources() {

@@ -107,12 +107,11 @@ std::string ids_text(const std::vector<std::string>& ids, std::size_t count) {
 Case case_of_stream(const std::string& input, const std::optional<std::string>& asked) {
   CaseInput source(input, interrupt_requested);
   files::UnreadCases texts = source.texts();
-  files::QuickCaseReader reader;
   std::vector<std::string> ids;
   std::size_t count = 0;
   std::vector<CaseItem> first;  // at most one case
   while (const std::optional<files::UnreadCase> text = texts.next()) {
-    CaseItem item = files::read_case(reader, *text, texts.name());
+    CaseItem item = files::read_case(*text, texts.name());
     if (item.id == asked) return item.ok() ? item.value() : throw item.error();
     if (ids.size() < most_ids) ids.push_back(item.id);
     if (++count == 1) first.push_back(std::move(item));

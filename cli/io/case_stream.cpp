@@ -163,44 +163,38 @@ using Block = std::vector<std::shared_ptr<StreamedCase>>;
 // A block that is answered by another process ends with this many cases, or with this many bytes.
 constexpr std::size_t cases_in_a_block = 64, bytes_of_a_block = std::size_t{1} << 18;
 
-/// The memory of a thread, reused from case to case.
-struct Memory {
-  files::QuickCaseReader reader;
-  Workspace workspace;
-};
-
 /// Memory for as many answers as there are threads. It is allocated at the beginning, so that a
 /// case that does not fit takes none away from others.
-class Memories {
+class Workspaces {
  public:
-  explicit Memories(unsigned count) : idle_(count) {}
+  explicit Workspaces(unsigned count) : idle_(count) {}
 
   /// Calls `use` with memory that no other thread uses meanwhile.
   template <class Use>
-  void with_memory(Use use) {
-    Memory memory = take();
-    use(memory);
+  void with_one(Use use) {
+    Workspace workspace = take();
+    use(workspace);
     const std::lock_guard lock(idle_lock_);
-    idle_.push_back(std::move(memory));  // cannot allocate: there is room for all
+    idle_.push_back(std::move(workspace));  // cannot allocate: there is room for all
   }
 
  private:
-  Memory take() {
+  Workspace take() {
     const std::lock_guard lock(idle_lock_);
     if (idle_.empty()) return {};
-    Memory memory = std::move(idle_.back());
+    Workspace workspace = std::move(idle_.back());
     idle_.pop_back();
-    return memory;
+    return workspace;
   }
 
   std::mutex idle_lock_;
-  std::vector<Memory> idle_;
+  std::vector<Workspace> idle_;
 };
 
 /// Reads the text and answers the case; an error of either becomes the case's fault. Throws
 /// Interrupted. Looks for a note on a hull only if none was printed before.
 void answer_case(StreamedCase& streamed, const std::string& name, const StreamWork& work, Monitor& monitor,
-                 Memory& memory, bool hull_told) {
+                 Workspace& workspace, bool hull_told) {
   const std::size_t line = streamed.text.line;
   const auto lose = [&](InputError why, ExitCode code) {
     streamed.fault = std::move(why);
@@ -208,7 +202,7 @@ void answer_case(StreamedCase& streamed, const std::string& name, const StreamWo
   };
   streamed.id = std::to_string(line);
   try {
-    const CaseItem item = files::read_case(memory.reader, streamed.text, name);
+    const CaseItem item = files::read_case(streamed.text, name);
     std::string().swap(streamed.text.text);
     streamed.id = item.id;
     if (!item.ok()) return lose(item.error(), bad_input);
@@ -228,7 +222,7 @@ void answer_case(StreamedCase& streamed, const std::string& name, const StreamWo
     streamed.perhaps_inner = !has_shape(item.value()) && !files::has_union(item.value()) &&
                              may_have_inner_points(item.value(), work.one_body);
     if (streamed.perhaps_inner && !hull_told) streamed.hull_note = hull_note(item.value(), work.one_body);
-    streamed.reply = work.answer(asked, monitor, memory.workspace);
+    streamed.reply = work.answer(asked, monitor, workspace);
   } catch (const Interrupted&) {
     throw;
   } catch (const InputError& error) {
@@ -266,7 +260,7 @@ class Stream {
   void report(const StreamedCase& bad);
 
   const StreamWork& work_;
-  Memories memories_{work_.threads};
+  Workspaces workspaces_{work_.threads};
   std::atomic<bool> failed_ = false, hull_told_ = false;
   CaseInput input_;
   files::UnreadCases texts_;
@@ -328,8 +322,8 @@ void Stream::answer(StreamedCase& streamed) {
   CaseMonitor monitor(*this, streamed);
   monitor.has_the_bar();
   try {
-    memories_.with_memory(
-        [&](Memory& memory) { answer_case(streamed, texts_.name(), work_, monitor, memory, hull_told_); });
+    workspaces_.with_one(
+        [&](Workspace& workspace) { answer_case(streamed, texts_.name(), work_, monitor, workspace, hull_told_); });
   } catch (const Interrupted&) {
     if (!failed_) throw;  // otherwise the run ends with the first failure
   }
@@ -526,12 +520,12 @@ std::string answer_block(const std::string& block, const std::string& input, con
   const std::vector<std::string> texts = unpacked(block);
   const bool hull_told = !texts.at(0).empty();
   StopOnInterrupt monitor;
-  Memory memory;
+  Workspace workspace;
   std::string answers;
   for (std::size_t i = 1; i + 1 < texts.size(); i += 2) {
     StreamedCase streamed;
     streamed.text = {std::stoull(texts[i]), texts[i + 1], {}};
-    answer_case(streamed, input == "-" ? "<stdin>" : input, work, monitor, memory, hull_told);
+    answer_case(streamed, input == "-" ? "<stdin>" : input, work, monitor, workspace, hull_told);
     pack_answer(answers, streamed);
   }
   return answers;

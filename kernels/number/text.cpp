@@ -15,6 +15,7 @@
 #include <limits>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"
@@ -221,11 +222,8 @@ double nearest_binary64(std::string_view decimal) {
   return !is_large ? 0 : is_negative ? -HUGE_VAL : HUGE_VAL;
 }
 
-// ---- integers as digits ----
+// ---- words divided ----
 namespace {
-
-constexpr std::uint64_t chunk = 10'000'000'000'000'000'000U;  // above 2^63, as a quick division wants it
-constexpr std::size_t chunk_digits = 19;
 
 constexpr std::uint64_t low_word(Uint128 n) { return static_cast<std::uint64_t>(n); }
 constexpr std::uint64_t high_word(Uint128 n) { return static_cast<std::uint64_t>(n >> 64); }
@@ -234,16 +232,117 @@ struct Divided {
   std::uint64_t quotient, rest;
 };
 
-/// n / chunk, which is less than 2^64, by a multiplication with floor((2^128 - 1) / chunk) - 2^64.
+/// A word of at least 2^63, and floor((2^128 - 1) / it) - 2^64, by which a multiplication divides.
 ///                     [Moeller, Granlund, Improved division by invariant integers, algorithm 4]
-constexpr Divided divided(Uint128 n) {
-  constexpr std::uint64_t reciprocal = low_word(~Uint128{0} / chunk);
-  const Uint128 guess = Uint128{reciprocal} * high_word(n) + n;
-  std::uint64_t quotient = high_word(guess) + 1, rest = low_word(n) - quotient * chunk;
-  if (rest > low_word(guess)) --quotient, rest += chunk;
-  if (rest >= chunk) ++quotient, rest -= chunk;
-  return {quotient, rest};
+class Divisor {
+ public:
+  explicit constexpr Divisor(std::uint64_t word) : word_(word), reciprocal_(low_word(~Uint128{0} / word)) {}
+
+  /// n / word, which is less than 2^64.
+  [[nodiscard]] constexpr Divided divided(Uint128 n) const {
+    const Uint128 guess = Uint128{reciprocal_} * high_word(n) + n;
+    std::uint64_t quotient = high_word(guess) + 1, rest = low_word(n) - quotient * word_;
+    const std::uint64_t over = rest > low_word(guess) ? ~std::uint64_t{0} : 0;  // no branch: it could not be guessed
+    quotient += over, rest += over & word_;
+    if (rest >= word_) ++quotient, rest -= word_;
+    return {quotient, rest};
+  }
+
+ private:
+  std::uint64_t word_, reciprocal_;
+};
+
+// ---- decimals of one word ----
+
+constexpr std::ptrdiff_t most_places = 19;  // and digits: they fit a word
+
+/// A power of 5 below 2^63, times the power of 2 that gives it 64 bits.
+struct PowerOf5 {
+  Divisor divisor;
+  int shift;
+};
+constexpr PowerOf5 power_of_5(std::size_t i) {
+  std::uint64_t power = 1;
+  for (; i > 0; --i) power *= 5;
+  const int shift = std::countl_zero(power);
+  return {Divisor(power << shift), shift};
 }
+template <std::size_t... i>
+constexpr std::array<PowerOf5, sizeof...(i)> powers_of_5(std::index_sequence<i...>) {
+  return {power_of_5(i)...};
+}
+
+/// digits / 10^places, rounded to nearest, which the float environment must say too.
+double nearest_quotient(std::uint64_t digits, std::ptrdiff_t places) {
+  static constexpr auto powers = powers_of_5(std::make_index_sequence<most_places + 1>());
+  if (digits == 0) return 0;
+  const auto& [divisor, shift] = powers[static_cast<std::size_t>(places)];
+  const int up = std::countl_zero(digits);
+  const auto [quotient, rest] = divisor.divided(Uint128{digits << up} << 63);
+  // At least 62 bits, the last of which says what follows: a signed word, converted at once.
+  const auto leading = static_cast<double>(static_cast<std::int64_t>(quotient >> 1 | (quotient & 1) | (rest != 0)));
+  const std::int64_t exponent = shift - 62 - up - places;
+  return leading * std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
+}
+
+/// Appends the digits that begin at `at` to the number; returns where they end.
+const char* take_digits(const char* at, const char* end, std::uint64_t& number) {
+  for (; at != end && is_decimal_digit(*at); ++at) number = 10 * number + static_cast<std::uint64_t>(*at - '0');
+  return at;
+}
+
+/// The same, of many digits: eight at once, where all are digits.
+const char* take_many_digits(const char* at, const char* end, std::uint64_t& number) {
+  for (; end - at >= 8; at += 8) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, at, sizeof eight);
+    if constexpr (std::endian::native == std::endian::big) eight = __builtin_bswap64(eight);
+    if (((eight & (eight + 0x0606060606060606)) & 0xf0f0f0f0f0f0f0f0) != 0x3030303030303030) break;
+    eight = (eight & 0x0f0f0f0f0f0f0f0f) * (10 * 256 + 1) >> 8;  // pairs, then fours
+    eight = (eight & 0x00ff00ff00ff00ff) * (100 * 65536 + 1) >> 16;
+    eight = (eight & 0x0000ffff0000ffff) * (10000 * (1ULL << 32) + 1) >> 32;
+    number = 100'000'000 * number + eight;
+  }
+  return take_digits(at, end, number);
+}
+
+}  // namespace
+
+const char* leading_number(const char* begin, const char* end, double& nearest) {
+  const bool is_negative = begin != end && *begin == '-';
+  const char* const integer = begin + is_negative;
+  std::uint64_t digits = 0;
+  const char* at = take_digits(integer, end, digits);
+  std::ptrdiff_t count = at - integer, places = 0;
+  if (count == 0 || (*integer == '0' && count > 1)) return nullptr;
+  if (at != end && *at == '.') {
+    const char* const fraction = at + 1;
+    at = take_many_digits(fraction, end, digits);
+    places = at - fraction;
+    if (places == 0) return nullptr;
+    count += places - (*integer == '0');
+  }
+  const bool has_exponent = at != end && lower(*at) == 'e';
+  if (!has_exponent && count <= most_places) {
+    const auto size = std::bit_cast<std::uint64_t>(nearest_quotient(digits, places));
+    nearest = std::bit_cast<double>(size | std::uint64_t{is_negative} << 63);
+    return at;
+  }
+  if (has_exponent) {
+    ++at;
+    if (at != end && is_sign(*at)) ++at;
+    if (at == end || !is_decimal_digit(*at)) return nullptr;
+    at = std::find_if_not(at, end, is_decimal_digit);
+  }
+  return std::from_chars(begin, at, nearest).ec == std::errc() ? at : nullptr;
+}
+
+// ---- integers as digits ----
+namespace {
+
+constexpr std::uint64_t chunk = 10'000'000'000'000'000'000U;
+constexpr Divisor by_chunk(chunk);
+constexpr std::size_t chunk_digits = 19;
 
 /// At least log(2) / log(10^19) chunks for each bit.
 constexpr std::size_t chunks_for(std::size_t words) { return (words * 64 * 159 + 9999) / 10000; }
@@ -257,7 +356,7 @@ struct Chunks {
   constexpr void multiply(std::uint64_t factor) {
     std::uint64_t carry = 0;
     for (std::size_t i = 0; i < size; ++i) {
-      const Divided product = divided(Uint128{digits[i]} * factor + carry);
+      const Divided product = by_chunk.divided(Uint128{digits[i]} * factor + carry);
       digits[i] = product.rest;
       carry = product.quotient;
     }
@@ -351,7 +450,7 @@ char* put_words(char* at, const mp_limb_t* words, std::size_t size) {
   while (size > 0) {
     std::uint64_t last = 0;
     for (std::size_t i = size; i-- > 0;) {
-      const Divided step = divided(Uint128{last} << 64 | rest[i]);
+      const Divided step = by_chunk.divided(Uint128{last} << 64 | rest[i]);
       rest[i] = step.quotient;
       last = step.rest;
     }

@@ -30,6 +30,10 @@ std::optional<double> quick_number(std::string_view token, Decimals decimals);
 /// large for one, 0 if it is too small.
 double nearest_binary64(std::string_view decimal);
 
+/// Reads the number of JSON that begins here; returns where it ends. null if none does, or if it is
+/// beyond binary64 or in its lowest part. Call it while rounding is to nearest.
+const char* leading_number(const char* begin, const char* end, double& nearest);
+
 /// How many characters put_digits may write.
 inline std::size_t most_digits(mpz_srcptr n) { return mpz_size(n) <= 1 ? 21 : mpz_sizeinbase(n, 10) + 2; }
 inline std::size_t most_digits(const Dyadic& n) {

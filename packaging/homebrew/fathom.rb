@@ -20,7 +20,6 @@ class Fathom < Formula
   depends_on "mimalloc"
   depends_on "mpfr"
   depends_on "pugixml"
-  depends_on "simdjson"
   depends_on "tbb"
   depends_on "zstd"
 

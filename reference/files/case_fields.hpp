@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -88,24 +87,10 @@ struct CaseFields {
 /// follow the object, and at most 64 objects and arrays may be nested, in skipped fields too.
 CaseFields read_case_fields(std::string_view text, const text::JsonRead& read);
 
-/// Reads the fields of good cases in a fraction of the time, one case after another, each in the
-/// memory of the one before. One for each thread.
-class QuickCaseReader {
- public:
-  QuickCaseReader();
-  QuickCaseReader(QuickCaseReader&&) noexcept;
-  QuickCaseReader& operator=(QuickCaseReader&&) noexcept;
-  ~QuickCaseReader();
-
-  /// Returns what read_case_fields, its naive twin, returns for the text; or nullopt, and
-  /// read_case_fields has to read it. It does so for every text with a fault, and for a few good
-  /// ones. Call it while rounding is to nearest.
-  std::optional<CaseFields> fields(std::string_view text);
-
- private:
-  struct Scratch;
-  std::unique_ptr<Scratch> scratch_;
-};
+/// Returns what read_case_fields, its naive twin, returns for the text, in a fraction of the time;
+/// or nullopt, and read_case_fields has to read it. It does so for every text with a fault, and for
+/// a few good ones. Call it while rounding is to nearest.
+std::optional<CaseFields> quick_case_fields(std::string_view text);
 
 // ---- body_fields.cpp: bodies that are more than vertices and a matrix (shapes, margins,
 // quaternions, pieces), and faces ----

@@ -213,11 +213,11 @@ UnreadCases UnreadCases::open(const std::string& path, std::istream& standard_in
   return {std::move(file), path, CaseLayout::lines};
 }
 
-CaseItem read_case(QuickCaseReader& reader, const UnreadCase& text, const std::string& name) {
+CaseItem read_case(const UnreadCase& text, const std::string& name) {
   const std::size_t line = text.line;
   if (text.error) return {line, std::to_string(line), *text.error};
   const kernels::DefaultFloatEnvironment environment;
-  std::optional<CaseFields> quick = reader.fields(text.text);
+  std::optional<CaseFields> quick = quick_case_fields(text.text);
   text::JsonRead read;
   if (!quick || quick->misspelt || quick->a.has_faces || quick->b.has_faces) read = text::read_json(text.text);
   CaseFields fields = quick ? *std::move(quick) : read_case_fields(text.text, read);
@@ -239,8 +239,7 @@ CaseItem read_case(QuickCaseReader& reader, const UnreadCase& text, const std::s
 namespace fathom {
 
 CaseItem parse_case(std::string_view text, const std::string& name, std::size_t line) {
-  files::QuickCaseReader reader;
-  return files::read_case(reader, {line, std::string(text)}, name);
+  return files::read_case({line, std::string(text)}, name);
 }
 
 class CaseStream::Reader {
@@ -249,13 +248,12 @@ class CaseStream::Reader {
 
   std::optional<CaseItem> next() {
     const std::optional<files::UnreadCase> text = texts_.next();
-    return text ? std::optional(files::read_case(reader_, *text, texts_.name())) : std::nullopt;
+    return text ? std::optional(files::read_case(*text, texts_.name())) : std::nullopt;
   }
   [[nodiscard]] std::size_t case_line() const { return texts_.case_line(); }
 
  private:
   files::UnreadCases texts_;
-  files::QuickCaseReader reader_;
 };
 
 CaseStream::CaseStream(std::istream& input, std::string name, CaseLayout layout)

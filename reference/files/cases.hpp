@@ -29,7 +29,7 @@ struct UnreadCase {
 };
 
 /// Reads the case, as parse_case does. Throws nothing on bad input; may throw std::bad_alloc.
-CaseItem read_case(QuickCaseReader& reader, const UnreadCase& text, const std::string& name);
+CaseItem read_case(const UnreadCase& text, const std::string& name);
 
 /// Whether a body of the case is a union of pieces.
 inline bool has_union(const Case& single) { return single.a.pieces || single.b.pieces; }

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// simdjson finds where values begin, and checks UTF-8, quotes and brackets. What a value is, is
-// decided here from its text, which is why fields that are not ours are looked at too. Each
+// Reads a text once, from its first byte to its last, and keeps nothing but the numbers. Each
 // function returns false if the twin has to read the case.
-#include <simdjson.h>
-
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cstring>
+#include <optional>
 #include <string>
-#include <system_error>
+#include <string_view>
 #include <utility>
 
 #include "fathom/numbers.hpp"
@@ -18,194 +14,169 @@
 #include "reference/files/case_fields.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/mesh_formats.hpp"
+#include "reference/text/json.hpp"
 
 namespace fathom::files {
 namespace {
 
-namespace ondemand = simdjson::ondemand;
-using Value = simdjson::simdjson_result<ondemand::value>;
-
 constexpr int deepest = 16;             // arrays and objects within a field that is not ours; the twin allows more
 constexpr std::size_t longest_id = 18;  // of an id that is a number: the twin prints it, and longer ones may change
 
-/// The text of a scalar; of an array or object, its bracket. Call it once for a value.
-std::string_view token_of(Value value) {
-  std::string_view token;
-  if (value.raw_json_token().get(token)) return "";
-  // simdjson would take a string that is passed over, with a colon behind it, for a key.
-  if (token.starts_with('"') && value.get_raw_json_string().error()) return "";
-  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
-  while (!token.empty() && is_blank(token.back())) token.remove_suffix(1);
-  return token;
-}
+/// A text of JSON, of which a part has been read. White space before what is taken is skipped.
+class Cursor {
+ public:
+  explicit Cursor(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) {}
 
-/// The content of a string; nullopt if there is an escape in it, or if it is no string.
-std::optional<std::string_view> content_of(std::string_view token) {
-  if (token.size() < 2 || token.front() != '"' || token.back() != '"') return std::nullopt;
-  const std::string_view content = token.substr(1, token.size() - 2);
-  if (content.find_first_of("\\\"") != std::string_view::npos) return std::nullopt;
-  return content;
-}
-
-/// Whether the text is a string of JSON; false also if there is an escape \u in it.
-bool is_string(std::string_view token) {
-  std::size_t at = token.starts_with('"') ? 1 : token.size();
-  while (at < token.size() && token[at] != '"') {
-    const bool escape = token[at++] == '\\';
-    if (escape && (at >= token.size() || std::string_view("\"\\/bfnrt").find(token[at++]) == std::string_view::npos))
-      return false;
+  char peek() {
+    while (at_ != end_ && *at_ <= ' ' && (*at_ == ' ' || *at_ == '\t' || *at_ == '\r' || *at_ == '\n')) ++at_;
+    return at_ != end_ ? *at_ : '\0';
   }
-  return at + 1 == token.size();
-}
-
-/// Whether the text is a number of JSON.
-bool is_number(std::string_view text) {
-  const char *at = text.data(), *const end = at + text.size();
-  const auto skip = [&](char one, char other) {
-    const bool found = at != end && (*at == one || *at == other);
-    at += found;
+  bool take(char c) { return peek() == c && at_ != end_ ? ++at_, true : false; }
+  bool take(std::string_view word) {
+    peek();
+    const bool found = std::string_view(at_, end_).starts_with(word);
+    at_ += found ? word.size() : 0;
     return found;
-  };
-  const auto skip_digits = [&] {
-    const char* const begin = at;
-    while (at != end && kernels::is_decimal_digit(*at)) ++at;
-    return at - begin;
-  };
-  skip('-', '-');
-  if (!skip('0', '0') && skip_digits() == 0) return false;
-  if (skip('.', '.') && skip_digits() == 0) return false;
-  if (skip('e', 'E')) {
-    skip('+', '-');
-    if (skip_digits() == 0) return false;
   }
-  return at == end;
-}
+  [[nodiscard]] bool ended() { return peek() == '\0' && at_ == end_; }
 
-/// The nearest binary64, which is what a number of JSON means; nullopt beyond its range and in its
-/// lowest part.
-std::optional<double> binary64_of(std::string_view token) {
-  double value = 0;
-  if (!is_number(token)) return std::nullopt;
-  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
-  return error == std::errc() && end == token.data() + token.size() ? std::optional(value) : std::nullopt;
-}
-
-/// A coordinate, or an entry of a pose: the one place where numbers are made of their texts.
-bool read_number(Value number, Coordinate& to) {
-  // In a text of at most 20 characters simdjson reads every number right; of more digits after "0."
-  // version 3.0.1 may lose some.
-  constexpr std::size_t longest_short = 20;
-  const std::string_view token = token_of(number);
-  if (double value = 0; !token.starts_with('"') && token.size() <= longest_short) {
-    if (number.get_double().get(value)) return false;
-    to = value;
-    return true;
+  bool number(double& value) {
+    peek();
+    const char* const end = kernels::leading_number(at_, end_, value);
+    if (end != nullptr) at_ = end;
+    return end != nullptr;
   }
-  if (const std::optional<std::string_view> exact = content_of(token)) {
-    std::optional<mpq_class> value = parse_number(*exact, Decimals::exact).value;
-    if (!value) return false;
-    if (const std::optional<double> same = kernels::in_binary64(*value)) to = *same;
-    else to = *std::move(value);
-    return true;
+  /// The text of a number.
+  bool number(std::string_view& text) {
+    peek();
+    const char* const begin = at_;
+    double value = 0;
+    const bool good = number(value);
+    text = {begin, at_};
+    return good;
   }
-  const std::optional<double> value = binary64_of(token);
-  if (value) to = *value;
-  return value.has_value();
-}
 
-template <std::size_t n>
-bool read_row(Value row, std::array<Coordinate, n>& to) {
-  ondemand::array numbers;
-  std::size_t count = 0;
-  if (row.get_array().get(numbers)) return false;
-  for (const Value number : numbers)
-    if (count == n || !read_number(number, to[count++])) return false;
-  return count == n;
-}
-
-bool read_vertices(Value value, GivenPoints& vertices) {
-  ondemand::array rows;
-  std::size_t count = 0;
-  if (value.get_array().get(rows) || rows.count_elements().get(count)) return false;
-  CollectedPoints points;
-  points.reserve(count);
-  for (const Value row : rows) {
-    std::array<Coordinate, 3> point;
-    if (!read_row(row, point)) return false;
-    points.add(std::move(point));
+  /// A string with its escapes as they stand; false also if one is \u.
+  bool string(std::string_view& content) {
+    if (!take('"')) return false;
+    const char* const begin = at_;
+    while (at_ != end_ && *at_ != '"') {
+      const auto byte = static_cast<unsigned char>(*at_);
+      if (byte < ' ') return false;
+      if (byte == '\\') {
+        if (end_ - at_ < 2 || std::string_view("\"\\/bfnrt").find(at_[1]) == std::string_view::npos) return false;
+        at_ += 2;
+        continue;
+      }
+      const std::size_t size = byte < 0x80 ? 1 : text::utf8_size({at_, end_});
+      if (size == 0) return false;
+      at_ += size;
+    }
+    content = {begin, at_};
+    return take('"');
   }
-  vertices = points.take();
-  return !vertices.empty();
-}
+  /// A string without escapes.
+  bool content(std::string_view& content) { return string(content) && content.find('\\') == std::string_view::npos; }
 
-bool read_pose(Value value, std::optional<Pose>& pose) {
-  if (token_of(value) == "null") return true;
-  ondemand::array rows;
-  std::size_t count = 0;
-  if (value.get_array().get(rows)) return false;
-  pose.emplace();
-  for (const Value row : rows) {
-    if (count == pose->size()) return false;
-    std::array<Coordinate, 4> numbers;
-    if (!read_row(row, numbers)) return false;
-    for (std::size_t i = 0; i < numbers.size(); ++i) (*pose)[count][i] = exact(std::move(numbers[i]));
-    ++count;
+  /// An array: `read()` reads each element.
+  template <class Read>
+  bool array(const Read& read) {
+    if (!take('[')) return false;
+    if (take(']')) return true;
+    do {
+      if (!read()) return false;
+    } while (take(','));
+    return take(']');
   }
-  return count == pose->size();
-}
-
-bool read_rounding(Value value, bool& rounded) {
-  const std::string_view token = token_of(value);
-  rounded = token == "\"binary64\"";
-  return rounded || token == "null";
-}
-
-bool read_id(Value value, std::optional<std::string>& id) {
-  const std::string_view token = token_of(value);
-  if (token == "null") return true;
-  const std::optional<std::string_view> content = content_of(token);
-  const bool is_short_natural =
-      token.size() <= longest_id && is_number(token) && token.find_first_of("-.eE") == token.npos;
-  if (content || is_short_natural) id = std::string(content.value_or(token));
-  return id.has_value();
-}
-
-/// The key that begins here; nullopt if there is an escape in it, or if no colon follows. The text
-/// ends with a zero.
-std::optional<std::string_view> key_at(const char* begin) {
-  const char* const end = begin + std::strcspn(begin, "\\\"");
-  const bool ends = *end == '"' && end[1 + std::strspn(end + 1, " \t\r\n")] == ':';
-  return ends ? std::optional(std::string_view(begin, static_cast<std::size_t>(end - begin))) : std::nullopt;
-}
-
-/// Calls `read(key, value)` for each field of the object.
-template <class Read>
-bool for_each_field(Value value, const Read& read) {
-  ondemand::object object;
-  if (value.get_object().get(object)) return false;
-  for (simdjson::simdjson_result<ondemand::field> field : object) {
-    ondemand::raw_json_string raw;
-    if (field.key().get(raw)) return false;
-    const std::optional<std::string_view> key = key_at(raw.raw());
-    if (!key || !read(*key, field.value())) return false;
+  /// An object: `read(key)` reads each value.
+  template <class Read>
+  bool object(const Read& read) {
+    if (!take('{')) return false;
+    if (take('}')) return true;
+    do {
+      std::string_view key;
+      if (!content(key) || !take(':') || !read(key)) return false;
+    } while (take(','));
+    return take('}');
   }
+
+ private:
+  const char *at_, *end_;
+};
+
+/// A coordinate, or an entry of a pose.
+bool read_number(Cursor& text, Coordinate& to) {
+  if (text.peek() != '"') return text.number(to.emplace<double>());
+  std::string_view exact;
+  if (!text.content(exact)) return false;
+  std::optional<mpq_class> value = parse_number(exact, Decimals::exact).value;
+  if (!value) return false;
+  if (const std::optional<double> same = kernels::in_binary64(*value)) to = *same;
+  else to = *std::move(value);
   return true;
 }
 
-/// Whether a value that is not ours is one of JSON.
-bool is_value(Value value, int depth) {
-  if (depth > deepest) return false;
-  const std::string_view token = token_of(value);
-  if (token == "{")
-    return for_each_field(value, [depth](std::string_view, Value field) { return is_value(field, depth + 1); });
-  if (token == "[") {
-    ondemand::array items;
-    if (value.get_array().get(items)) return false;
-    for (const Value item : items)
-      if (!is_value(item, depth + 1)) return false;
+template <std::size_t n>
+bool read_row(Cursor& text, std::array<Coordinate, n>& to) {
+  std::size_t count = 0;
+  return text.array([&] { return count < n && read_number(text, to[count++]); }) && count == n;
+}
+
+bool read_vertices(Cursor& text, GivenPoints& vertices) {
+  CollectedPoints points;
+  points.reserve(32);  // most bodies have fewer
+  const bool good = text.array([&] {
+    std::array<Coordinate, 3> point;
+    if (!read_row(text, point)) return false;
+    points.add(std::move(point));
     return true;
+  });
+  vertices = points.take();
+  return good && !vertices.empty();
+}
+
+bool read_pose(Cursor& text, std::optional<Pose>& pose) {
+  if (text.take("null")) return true;
+  std::size_t count = 0;
+  pose.emplace();
+  const bool good = text.array([&] {
+    std::array<Coordinate, 4> numbers;
+    if (count == pose->size() || !read_row(text, numbers)) return false;
+    for (std::size_t i = 0; i < numbers.size(); ++i) (*pose)[count][i] = exact(std::move(numbers[i]));
+    ++count;
+    return true;
+  });
+  return good && count == pose->size();
+}
+
+bool read_rounding(Cursor& text, bool& rounded) {
+  rounded = text.take("\"binary64\"");
+  return rounded || text.take("null");
+}
+
+bool read_id(Cursor& text, std::optional<std::string>& id) {
+  if (text.take("null")) return true;
+  std::string_view name;
+  if (text.peek() == '"') {
+    if (!text.content(name)) return false;
+  } else if (!text.number(name) || name.size() > longest_id || name.find_first_of("-.eE") != name.npos) {
+    return false;
   }
-  return token == "null" || token == "true" || token == "false" || is_string(token) || binary64_of(token);
+  id = std::string(name);
+  return true;
+}
+
+/// Passes over a value that is not ours.
+bool skip_value(Cursor& text, int depth) {
+  if (depth > deepest) return false;
+  std::string_view string;
+  double number = 0;
+  switch (text.peek()) {
+    case '{': return text.object([&](std::string_view) { return skip_value(text, depth + 1); });
+    case '[': return text.array([&] { return skip_value(text, depth + 1); });
+    case '"': return text.string(string);
+    default: return text.take("null") || text.take("true") || text.take("false") || text.number(number);
+  }
 }
 
 /// The fields of ours that an object may have once each.
@@ -220,71 +191,52 @@ class OnceEach {
   std::array<bool, static_cast<std::size_t>(CasePlace::other)> seen_{};
 };
 
-bool read_body(Value value, BodyFields& body, bool& misspelt) {
+bool read_body(Cursor& text, BodyFields& body, bool& misspelt) {
   OnceEach fields;
-  const auto read = [&](std::string_view key, Value field) {
+  const auto read = [&](std::string_view key) {
     const CasePlace place = field_of_body(key);
     if (!fields.first(place)) return false;
     switch (place) {
-      case CasePlace::vertices: return read_vertices(field, body.vertices);
-      case CasePlace::pose: return read_pose(field, body.pose);
-      case CasePlace::body_rounding: return read_rounding(field, body.rounded);
+      case CasePlace::vertices: return read_vertices(text, body.vertices);
+      case CasePlace::pose: return read_pose(text, body.pose);
+      case CasePlace::body_rounding: return read_rounding(text, body.rounded);
       case CasePlace::shape: return false;
-      case CasePlace::faces: body.has_faces = true; return is_value(field, 0);
-      default: misspelt = misspelt || looks_misspelt(key, true); return is_value(field, 0);
+      case CasePlace::faces: body.has_faces = true; return skip_value(text, 0);
+      default: misspelt = misspelt || looks_misspelt(key, true); return skip_value(text, 0);
     }
   };
-  return for_each_field(value, read) && fields.seen(CasePlace::vertices);
+  return text.object(read) && fields.seen(CasePlace::vertices);
 }
 
-bool read_case(Value value, CaseFields& result) {
+bool read_case(Cursor& text, CaseFields& result) {
   OnceEach fields;
   bool has_a = false, has_b = false;
-  const auto read = [&](std::string_view key, Value field) {
+  std::string_view schema;
+  const auto read = [&](std::string_view key) {
     const CasePlace place = field_of_case(key);
     if (place == CasePlace::body) {
       const bool first = !std::exchange(key == "a" ? has_a : has_b, true);
-      return first && read_body(field, key == "a" ? result.a : result.b, result.misspelt);
+      return first && read_body(text, key == "a" ? result.a : result.b, result.misspelt);
     }
     if (!fields.first(place)) return false;
     switch (place) {
-      case CasePlace::schema: return content_of(token_of(field)) == case_schema;
-      case CasePlace::id: return read_id(field, result.id);
-      case CasePlace::rounding: return read_rounding(field, result.rounded);
+      case CasePlace::schema: return text.content(schema) && schema == case_schema;
+      case CasePlace::id: return read_id(text, result.id);
+      case CasePlace::rounding: return read_rounding(text, result.rounded);
       case CasePlace::twist:
       case CasePlace::dimension: return false;
-      default: result.misspelt = result.misspelt || looks_misspelt(key, false); return is_value(field, 0);
+      default: result.misspelt = result.misspelt || looks_misspelt(key, false); return skip_value(text, 0);
     }
   };
-  return for_each_field(value, read) && has_a && has_b;
+  return text.object(read) && has_a && has_b;
 }
 
 }  // namespace
 
-struct QuickCaseReader::Scratch {
-  ondemand::parser parser;
-  std::string padded;
-
-  std::optional<CaseFields> fields(std::string_view text) {
-    padded.reserve(text.size() + simdjson::SIMDJSON_PADDING);
-    padded = text;
-    ondemand::document document;
-    CaseFields fields;
-    const simdjson::padded_string_view view(padded.data(), text.size(), text.size() + simdjson::SIMDJSON_PADDING);
-    if (parser.iterate(view).get(document) || !read_case(document.get_value(), fields)) return std::nullopt;
-    if (document.current_location().error() != simdjson::OUT_OF_BOUNDS) return std::nullopt;  // more follows
-    return fields;
-  }
-};
-
-QuickCaseReader::QuickCaseReader() : scratch_(std::make_unique<Scratch>()) {}
-QuickCaseReader::QuickCaseReader(QuickCaseReader&&) noexcept = default;
-QuickCaseReader& QuickCaseReader::operator=(QuickCaseReader&&) noexcept = default;
-QuickCaseReader::~QuickCaseReader() = default;
-
-std::optional<CaseFields> QuickCaseReader::fields(std::string_view text) {
-  constexpr std::size_t kept = std::size_t{1} << 20;  // longer texts shall not hold memory once they are read
-  return text.size() > kept ? Scratch().fields(text) : scratch_->fields(text);
+std::optional<CaseFields> quick_case_fields(std::string_view text) {
+  Cursor cursor(text);
+  CaseFields fields;
+  return read_case(cursor, fields) && cursor.ended() ? std::optional(std::move(fields)) : std::nullopt;
 }
 
 }  // namespace fathom::files

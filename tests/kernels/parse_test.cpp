@@ -344,6 +344,42 @@ bool quick(const std::string& token, Decimals decimals) {
   return true;
 }
 
+/// Expects that the whole token is read, as the naive reader does.
+void expect_leading(const std::string& token, const std::string& behind = "") {
+  const std::string text = token + behind;
+  double nearest = 0;
+  const char* const end = leading_number(text.data(), text.data() + text.size(), nearest);
+  ASSERT_NE(end, nullptr) << token;
+  EXPECT_EQ(end - text.data(), static_cast<std::ptrdiff_t>(token.size())) << text;
+  const ParsedNumber naive = parse_number(token, Decimals::exact);
+  EXPECT_EQ(nearest, round_binary64(*naive.value)) << token;
+}
+
+TEST(LeadingNumber, IsTheNearestBinary64AndItsEnd) {
+  for (const char* token :  // ties, and what is just off them
+       {"9007199254740993", "9007199254740995", "4503599627370496.5", "4503599627370497.5", "4503599627370496.501",
+        "4503599627370497.499", "0.5", "1.0000000000000002220", "18446744073709551615", "9999999999999999999",
+        "0.9999999999999999999", "0.0000000000000000001", "12345678", "1234567890.12345678", "0", "1e22", "1.5E-7"})
+    for (const char* behind : {"", ",", "]", " 1", "x", ",12345678"}) expect_leading(token, behind);
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 20000; ++i) {
+    std::string token = std::to_string(random() >> random() % 64);
+    if (const std::size_t places = random() % 21; places > 0) {
+      token = std::string(places >= token.size() ? places + 1 - token.size() : 0, '0') + token;
+      token.insert(token.size() - places, 1, '.');
+    }
+    expect_leading((random() % 2 != 0 ? "-" : "") + token);
+  }
+}
+
+TEST(LeadingNumber, IsOneOfJson) {
+  for (const std::string text : {"", "-", "+1", ".5", "5.", "5.x", "01", "00", "-01.5", "1e", "1e+", "1e-x", "inf",
+                                 "nan", "1e400", "-1e400", "x", "/1", ":1"}) {
+    double nearest = 0;
+    EXPECT_EQ(leading_number(text.data(), text.data() + text.size(), nearest), nullptr) << text;
+  }
+}
+
 TEST(NearestBinary64, IsThatOfTheNaiveReaderAndHasNoLongestNumber) {
   for (const char* token :
        {"0.0", "-2.5", "1e308", "17976931348623157e292", "4.9e-324", "1e-400", "-1e-400", "0.001e-399"})
