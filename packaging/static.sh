@@ -36,7 +36,7 @@ fetch_sources() {
   local lists=$work/apt options
   mkdir -p "$lists/lists/partial" "$lists/cache/archives/partial"
   logged apt-get -q update
-  apt-get indextargets --no-release-info --format 'deb-src $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' 'Origin: Debian' |
+  apt-get indextargets --format 'deb-src $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' 'Origin: Debian' |
     sort -u >"$lists/sources.list"
   options=(-q -o "Dir::Etc::SourceList=$lists/sources.list" -o Dir::Etc::SourceParts=/dev/null -o "Dir::State::Lists=$lists/lists"
     -o "Dir::Cache=$lists/cache" -o APT::Sandbox::User=root)
