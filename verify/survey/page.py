@@ -167,7 +167,7 @@ def subject_cards(results):
         f'<div class="subjects">{"".join(cards)}</div></section>\n'
 
 
-def index(results, of_versions):
+def index(results):
     questions = sum(found["cases"] for subject in results["subjects"] for found in subject["sets"].values())
     tolerance = results["tolerance"]
     head = (f"<header><h1>Collision libraries, judged exactly</h1>\n<p>{len(results['subjects'])} ways to ask for a penetration depth, "
@@ -178,7 +178,7 @@ def index(results, of_versions):
             "</header>\n")
     both = both_ways(results) if all(name in results["sets"] for name in sets.TRIED_SETS) else ""
     body = head + filters(results) + "<main>\n" + both + "".join(section(results, name) for name in results["sets"])
-    body += small_world(results) + history.section(of_versions) + subject_cards(results) + "</main>\n"
+    body += small_world(results) + history.section(results) + subject_cards(results) + "</main>\n"
     body += ('<footer><p class="soft small">Times are medians of the query alone in microseconds, as each subject measured it, hulls made '
              "before. How it is made: <code>verify/survey</code> of fathom.</p></footer>\n")
     return document("Collision libraries, judged exactly", body, filter_style(results))
@@ -188,14 +188,13 @@ def main(words=None):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--fathom", default=str(sets.ROOT / "fathom"), help="the program; this project's launcher unless given")
     parser.add_argument("--results", type=pathlib.Path, default=HERE / "results.json")
-    parser.add_argument("--history", type=pathlib.Path, default=HERE / "history.json", help="of the versions of one engine")
     parser.add_argument("--out", type=pathlib.Path, default=sets.ROOT / "build" / "survey" / "page")
     options = parser.parse_args(words)
     results = json.loads(options.results.read_text(encoding="utf-8"))
     if not re.fullmatch(r"fathom/survey/3", results.get("schema", "")):
         parser.error(f"{options.results}: expected the schema fathom/survey/3")
     options.out.mkdir(parents=True, exist_ok=True)
-    (options.out / "index.html").write_text(index(results, history.read(options.history)), encoding="utf-8")
+    (options.out / "index.html").write_text(index(results), encoding="utf-8")
     made = cell_pages.write(results, options.fathom, options.out)
     print(f"page: {options.out / 'index.html'}, and {made} pages of cells", file=sys.stderr)
     return 0

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Lets every adapter that is there answer every set of cases, and writes results.json. What is left out by --adapters or --sets keeps the
-numbers that are there, with their date. tables.py makes the tables of all pages from it.
+numbers that are there, with their date. What another version of a library, or of fathom, had answered before stays as `earlier`.
+tables.py makes the tables of all pages from it.
 
 Exit codes: 0 done; 2 wrong arguments; 3 a run failed, which was said; --resume goes on with what is there.
 """
@@ -18,6 +19,7 @@ import sys
 import time
 
 import contacts
+import history
 import sets
 import tally
 
@@ -180,6 +182,10 @@ def before(path):
     return {"sets": {}, "contacts": {}, "subjects": []}
 
 
+def version_of(fathom):
+    return subprocess.run([fathom, "--version"], stdout=subprocess.PIPE, check=True, text=True).stdout.splitlines()[0].strip()
+
+
 def passed_of(report):
     summary = tally.read(report)[-1]
     return summary["passed"]
@@ -187,7 +193,7 @@ def passed_of(report):
 
 def results(options, there, tasks, others, manifolds):
     """Returns the results of the reports, with the old ones for parts that were not run."""
-    version = subprocess.run([options.fathom, "--version"], stdout=subprocess.PIPE, check=True, text=True).stdout.splitlines()[0].strip()
+    version = version_of(options.fathom)
     old, today = before(options.out / "results.json"), datetime.date.today().isoformat()
     found = {"schema": SCHEMA, "time_out": options.time_out, "groups": list(tally.GROUPS), "tolerance": old.get("tolerance"),
              "sets": {name: tally.set_of(name, options.work / f"{name}.jsonl") if name in options.sets else old["sets"][name]
@@ -199,8 +205,10 @@ def results(options, there, tasks, others, manifolds):
     for task in tasks:
         subject = subjects.setdefault(task.adapter, {"adapter": task.adapter, "tried": [], "sets": {}})
         made = {"date": today, "fathom": version, "cases": found["sets"][task.name]["digest"]}
-        subject["hello"], found["tolerance"], subject["sets"][task.name] = tally.answers_of(
+        hello, found["tolerance"], answers = tally.answers_of(
             options.work / task.report, options.work / as_minimum(task, options).report, made, sets.SETS[task.name].by_case)
+        history.keep(subject, hello, task.name, version)
+        subject["hello"], subject["sets"][task.name] = hello, answers
     for task in others:
         known = subjects[task.adapter]["tried"]
         entry = next((each for each in known if (each["settings"], each["fit"]) == (task.settings, task.fit)), None)
@@ -211,8 +219,8 @@ def results(options, there, tasks, others, manifolds):
         if name in subjects:
             subjects[name]["description"] = description
     order = [*there, *(name for name in subjects if name not in there)]
-    found["subjects"] = [{key: subjects[name][key] for key in ("adapter", "description", "hello", "tried", "sets")} for name in order
-                         if name in subjects]
+    found["subjects"] = [{key: subjects[name][key] for key in ("adapter", "description", "hello", "tried", "earlier", "sets")
+                          if key in subjects[name]} for name in order if name in subjects]
     for subject in found["subjects"]:
         subject["sets"] = {name: subject["sets"][name] for name in found["sets"] if name in subject["sets"]}
     return found

@@ -14,6 +14,7 @@ import tempfile
 import textwrap
 
 import contacts
+import history
 import sets
 import tally
 import world
@@ -42,7 +43,7 @@ that it lacks. Each case had {time_out:g} s.
 
 {best}
 {sections}
-{small_world}{contacts}"""
+{changes}{small_world}{contacts}"""
 
 SECTION = """## {title}
 
@@ -54,6 +55,15 @@ worst are in parts of the largest coordinate. Times are those of the query alone
 
 {groups}
 {errors}"""
+
+CHANGES = """## What changed
+
+From each version of a library, or of fathom, to the next, about the same cases. Cases that fail now and did not before are counted one
+by one; named are those of which a set has a row, or the families of which more cases fail. What a version answered stays as it was judged
+then.
+
+{table}
+"""
 
 SMALL_WORLD = """## The small world
 
@@ -376,13 +386,18 @@ def small_world_page(results):
     return SMALL_WORLD.format(command=found["command"], pairs=found["pairs"], sections="\n".join(sections))
 
 
+def changes_page(results):
+    rows = history.rows_of(results)
+    return CHANGES.format(table=table(history.HEAD, rows)) if rows else ""
+
+
 def page(results, today):
     sections = [SECTION.format(**found, groups=groups_table(results, name), errors=errors_table(results, name))
                 for name, found in results["sets"].items()]
     return PAGE.format(made=made(results, results["sets"], today), time_out=results["time_out"], legend=LEGEND, best_legend=BEST_LEGEND,
                        subjects=subjects_table(results["subjects"]), real=table(*real_table(of_space(results))),
                        best=table(*best_table(of_space(results))), sections="\n".join(sections),
-                       small_world=small_world_page(results), contacts=contacts_page(results, today))
+                       changes=changes_page(results), small_world=small_world_page(results), contacts=contacts_page(results, today))
 
 
 def blocks(results, today):
