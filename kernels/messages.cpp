@@ -2,6 +2,7 @@
 #include "kernels/messages.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace fathom::kernels {
@@ -50,14 +51,15 @@ bool is_near(std::string_view text, std::string_view word) {
 }
 
 std::string near_misses(std::span<const std::string> there, std::span<const std::string_view> known) {
+  std::vector<std::string_view> unknown;
+  std::ranges::copy_if(there, std::back_inserter(unknown),
+                       [&](std::string_view field) { return std::ranges::find(known, field) == known.end(); });
   std::string result;
+  if (unknown.empty()) return result;
   for (const std::string_view word : known) {
     if (std::ranges::find(there, word) != there.end()) continue;
-    const auto slip = [&](const std::string& field) {
-      return is_near(field, word) && std::ranges::find(known, field) == known.end();
-    };
-    const auto field = std::ranges::find_if(there, slip);
-    if (field != there.end())
+    const auto field = std::ranges::find_if(unknown, [&](std::string_view each) { return is_near(each, word); });
+    if (field != unknown.end())
       result += (result.empty() ? "" : "; ") +
                 ("the field " + shown(*field) + " is not read: is '" + std::string(word) + "' meant?");
   }

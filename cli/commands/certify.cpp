@@ -276,9 +276,10 @@ class Certify {
     plan.tolerance = certify_.tolerance;
     plan.next = [this] { return next_case(); };
     plan.worker = [this] { return make_worker(); };
-    plan.known = [this](const auto& id, const auto& variant, const auto& digest) {
-      return found_->known(id, variant, digest);
-    };
+    if (certify_.resume)
+      plan.known = [this](const auto& id, const auto& variant, const auto& digest) {
+        return found_->known(id, variant, digest);
+      };
     plan.found = [this](const Case& original, const Case& seen, const harness::Outcome& outcome, bool known) {
       const std::lock_guard lock(telling_);
       found_->take(original, seen, outcome, known);

@@ -15,7 +15,9 @@
 #include "fathom/union.hpp"
 #include "kernels/number/rational.hpp"
 #include "reference/certificate/certificate.hpp"
+#include "reference/depth/contact.hpp"
 #include "reference/files/shape_names.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/shapes/core.hpp"
 
 namespace fathom::answer {
@@ -156,6 +158,16 @@ void require_z_0(const std::vector<Point>& points) {
     throw std::invalid_argument("a point of a body of the plane has the z 0, found another");
 }
 
+/// By a lattice if the points have a narrow one.
+bool is_flat_polytope(const Body& body) {
+  polytope::NarrowMemory placed;
+  kernels::ScanMemory scans;
+  const polytope::Points points(body.points);
+  if (!polytope::place_narrow(points, points, placed)) return is_flat(files::shape_of(body));
+  return polytope::with_pair(placed, points, points, scans,
+                             [](const auto& pair) { return depth::facts_of(pair).flat_a; });
+}
+
 }  // namespace
 
 mpq_class height_above(const Body& a, const Body& b) {
@@ -210,7 +222,8 @@ Answer in_plane(const Body& a, const Body& b, Answer of_prisms) {
 }
 
 bool is_flat_body(const Body& body) {
-  if (body.dimension == 3) return !body.pieces && is_flat(files::shape_of(body));
+  if (body.dimension == 3 && !body.pieces && !body.shape) return is_flat_polytope(body);
+  if (body.dimension == 3) return !body.pieces && is_flat(*body.shape);
   if (body.pieces || (body.shape && (body.shape->radius > 0 || shapes::is_halfspace(*body.shape)))) return false;
   bool flat = true;
   for_each_hull(body, [&](const std::vector<Point>& points) {

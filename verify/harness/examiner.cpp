@@ -60,7 +60,7 @@ double seconds_since(Clock::time_point begin) { return std::chrono::duration<dou
 mpq_class extent_of(const Body& body) {
   if (body.pieces) return judging::sizes_of(*body.pieces, *body.pieces).extent;
   if (body.shape) return judging::sizes_of(*body.shape, *body.shape, judging::usual_bits, body.dimension).extent;
-  return judging::sizes_of(body.points.exact(), body.points.exact()).extent;
+  return judging::sizes_of(body.points, body.points).extent;
 }
 
 bool has_usual_size(const Body& body) {
@@ -162,7 +162,7 @@ class Run {
     return outcome;
   }
 
-  void tell(const Case& original, const Case& seen, Outcome outcome, bool known) {
+  void tell(const Case& original, const Case& seen, Outcome& outcome, bool known) {
     outcome.solid = is_solid(original);
     outcome.metre_sized = is_metre_sized(original);
     outcome.dwarfed = is_dwarfed_by(outcome.radii, original);

@@ -20,6 +20,8 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"
+#include "kernels/number/rational.hpp"
+#include "kernels/number/text.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/polytope/polytope.hpp"
@@ -200,6 +202,10 @@ std::optional<double> read_number(std::string_view text, Precision precision) {
 /// Returns a number, or the number in a text, rounded to the precision; NaN and infinities too.
 double number_of(const JsonValue& value, const char* name, Precision precision) {
   std::optional<double> number;
+  if (value.is_number()) number = kernels::quick_number(value.text(), Decimals::binary64);
+  // A decimal whose nearest binary64 is a binary32 has that for its nearest binary32.
+  if (number && (precision == Precision::binary64 || kernels::nearest_binary32(*number) == *number))
+    return *number == 0 ? 0 : *number;  // not -0
   if (value.is_number() || value.is_string()) number = read_number(value.text(), precision);
   if (!number)
     refuse(fmt::format("a number for \"{}\"{}", name, value.is_null() ? " (NaN is \"nan\")" : ""), shown_json(value));
@@ -311,10 +317,13 @@ Reply read_answer(const JsonValue& object, Coordinates numbers) {
 /// Returns a remark on misspelt fields in all objects of a reply, or "".
 std::string misspelt(const JsonValue& reply) {
   constexpr std::string_view of_witness[] = {"a", "b"};
-  const std::vector<std::string_view> of_contact = text::names_of(judging::contact_fields);
-  std::vector<std::string_view> known = text::names_of(judging::reply_fields);
-  known.insert(known.begin(), {"type", "id"});
-  known.insert(known.end(), {"hull", "microseconds", "unsupported", "failed"});
+  static const std::vector<std::string_view> of_contact = text::names_of(judging::contact_fields);
+  static const std::vector<std::string_view> known = [] {
+    std::vector<std::string_view> names = text::names_of(judging::reply_fields);
+    names.insert(names.begin(), {"type", "id"});
+    names.insert(names.end(), {"hull", "microseconds", "unsupported", "failed"});
+    return names;
+  }();
   const auto fields = [](const JsonValue& object) {
     std::vector<std::string> names;
     for (const auto& [name, value] : object.fields()) names.emplace_back(name);

@@ -166,12 +166,20 @@ mpq_class Scene::exit_distance_squared(const Vector& u) {
 }
 
 std::optional<Outside> outside_of(const Point& point, std::span<const Point> body) {
-  const polytope::PlacedPair placed = polytope::place({&point, 1}, body);
-  if (polytope::position_of_origin(placed.a, placed.b).position != polytope::Position::outside) return std::nullopt;
-  polytope::NearestPoints nearest = polytope::nearest_points(placed.a, placed.b);
-  mpq_class squared = kernels::ratio(nearest.height * nearest.height,
-                                     placed.denominator * placed.denominator * dot(nearest.normal, nearest.normal));
-  return Outside{std::move(squared), std::move(nearest.normal)};
+  const auto search = [](const auto& pair) -> std::optional<Outside> {
+    if (polytope::position_of_origin(pair.differences()).position != polytope::Position::outside) return std::nullopt;
+    polytope::NearestPoints nearest = polytope::nearest_points(pair.differences());
+    const mpq_class unit = pair.unit();
+    mpq_class squared =
+        unit * unit * kernels::ratio(nearest.height * nearest.height, dot(nearest.normal, nearest.normal));
+    return Outside{std::move(squared), std::move(nearest.normal)};
+  };
+  const polytope::Points alone(std::span(&point, 1)), points(body);
+  polytope::NarrowMemory placed;
+  kernels::ScanMemory scans;
+  if (polytope::place_narrow(alone, points, placed))
+    return polytope::with_searched_pair(placed, alone, points, scans, search);
+  return search(polytope::place({&point, 1}, body));
 }
 
 mpq_class squared_distance(const Point& point, std::span<const Point> body) {

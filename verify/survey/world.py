@@ -6,8 +6,8 @@
     verify/survey/world.py --until 10                            the same, for ten minutes
     verify/survey/world.py --merge                               writes what is there into results.json
 
-The pairs are asked in shards; each leaves a line in build/survey/world/ADAPTER.jsonl, so an interruption loses one shard at most. A kind is
-one of `fathom cases --small-world N`; every pair counts as `all` too, and as `nothing_special` if nothing about it is. Only what was really
+The pairs are asked in shards, every adapter about one before the next is made; each leaves a line in build/survey/world/ADAPTER.jsonl, so an
+interruption loses one shard of one adapter at most. A kind is one of `fathom cases --small-world N`; every pair counts as `all` too, and as `nothing_special` if nothing about it is. Only what was really
 asked is counted: `asked` says which pairs. Exit codes: 0 done; 2 wrong arguments; 3 a run failed, which was said; 4 time is up.
 """
 import argparse
@@ -44,25 +44,30 @@ def last_number(fathom):
     return int(re.search(r"from 0 to (\d+)", done.stderr)[1])
 
 
-def counted(cases, report):
-    """Returns ({kind: {verdict: count}}, {kind: {verdict: the first pair}}) of a shard."""
-    kinds = {int(found[1]): found[2].decode() for line in cases.open("rb") if (found := CASE.search(line))}
+def counted(kinds, report):
+    """Returns ({kind: {verdict: count}}, {kind: {verdict: the first pair}}) of a shard, whose pairs are of these kinds."""
     verdicts = {int(found[1]): found[2].decode() for line in report.open("rb") if (found := VERDICT.search(line))}
     if kinds.keys() != verdicts.keys():
         raise survey.Failed(f"{report}: {len(verdicts)} verdicts on {len(kinds)} pairs")
     counts, first = collections.defaultdict(collections.Counter), collections.defaultdict(dict)
     for number in sorted(kinds):
-        for kind in kinds_of(kinds[number]):
+        for kind in kinds[number]:
             counts[kind][verdicts[number]] += 1
             first[kind].setdefault(verdicts[number], number)
     return counts, first
 
 
-def ask(options, adapter, begin, count):
+def make(options, begin, end):
+    """Makes the cases of a shard; returns their file, and their kinds by number."""
+    path = options.work / f"{options.adapters[0]}.cases.jsonl"
+    with path.open("wb") as file:
+        subprocess.run([options.fathom, "cases", "--small-world", str(begin), "--count", str(end - begin)], stdout=file, check=True)
+    return path, {int(found[1]): kinds_of(found[2].decode()) for line in path.open("rb") if (found := CASE.search(line))}
+
+
+def ask(options, adapter, begin, end, cases, kinds):
     """Asks an adapter about a shard; returns the line on it."""
-    cases, report = options.work / f"{adapter}.cases.jsonl", options.work / f"{adapter}.report.jsonl"
-    with cases.open("wb") as file:
-        subprocess.run([options.fathom, "cases", "--small-world", str(begin), "--count", str(count)], stdout=file, check=True)
+    report = options.work / f"{adapter}.report.jsonl"
     report.unlink(missing_ok=True)
     words = [options.fathom, "certify", "--adapter", adapter, "--jobs", "1", "--time-out", str(QUICK), "--report", report, cases]
     done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
@@ -70,11 +75,10 @@ def ask(options, adapter, begin, count):
         raise survey.Failed(f"{adapter}, pairs from {begin}: certify ended with {done.returncode}: {done.stdout[-1000:]}")
     with report.open(encoding="utf-8") as file:
         head = json.loads(file.readline())
-    counts, first = counted(cases, report)
-    cases.unlink()
+    counts, first = counted(kinds, report)
     report.unlink()
     hello = {key: head["subject"][key] for key in ("name", "version", "precision", "conventions", "settings")}
-    return {"begin": begin, "end": begin + count, "date": datetime.date.today().isoformat(), "fathom": options.version, "hello": hello,
+    return {"begin": begin, "end": end, "date": datetime.date.today().isoformat(), "fathom": options.version, "hello": hello,
             "tolerance": head["tolerance"], "counts": counts, "first": first}
 
 
@@ -88,30 +92,40 @@ def shards_of(options, adapter):
     return sorted(map(json.loads, whole.splitlines()), key=lambda shard: shard["begin"])
 
 
+def left_to_ask(options, end):
+    """Returns [(begin, end, adapters)] of the shards that are wanted, ascending; None if one was asked in other shards, which is said."""
+    wanted = {begin: min(begin + options.shard, end) for begin in range(options.first, end, options.shard * options.every)}
+    known = {adapter: {shard["begin"]: shard["end"] for shard in shards_of(options, adapter)} for adapter in options.adapters}
+    for adapter, shards in known.items():
+        if any(wanted.get(begin) != stop for begin, stop in shards.items()
+               if any(other < stop and begin < last for other, last in wanted.items())):
+            survey.say(f"{adapter} was asked in other shards: go on with their size, or in another folder")
+            return None
+    left = [(begin, stop, [adapter for adapter in options.adapters if begin not in known[adapter]]) for begin, stop in wanted.items()]
+    return [shard for shard in left if shard[2]]
+
+
 def run(options, end):
     """Asks until nothing is left (0), something failed (3) or the time is up (4)."""
     begun = time.monotonic()
-    for adapter in options.adapters:
-        known = shards_of(options, adapter)
-        wanted = {begin: min(begin + options.shard, end) for begin in range(options.first, end, options.shard * options.every)}
-        if any(wanted.get(shard["begin"]) != shard["end"] for shard in known
-               if any(begin < shard["end"] and shard["begin"] < stop for begin, stop in wanted.items())):
-            survey.say(f"{adapter} was asked in other shards: go on with their size, or in another folder")
+    left = left_to_ask(options, end)
+    if left is None:
+        return 3
+    for done, (begin, stop, adapters) in enumerate(left):
+        if options.until and time.monotonic() - begun > 60 * options.until:
+            return 4
+        try:
+            cases, kinds = make(options, begin, stop)
+            for adapter in adapters:
+                line = ask(options, adapter, begin, stop, cases, kinds)
+                with (options.work / f"{adapter}.jsonl").open("a", encoding="utf-8") as file:
+                    file.write(json.dumps(line) + "\n")
+        except survey.Failed as fault:
+            survey.say(fault)
             return 3
-        begins = [begin for begin in wanted if begin not in {shard["begin"] for shard in known}]
-        started = time.monotonic()
-        for done, begin in enumerate(begins):
-            if options.until and time.monotonic() - begun > 60 * options.until:
-                return 4
-            try:
-                line = ask(options, adapter, begin, min(options.shard, end - begin))
-            except survey.Failed as fault:
-                survey.say(fault)
-                return 3
-            with (options.work / f"{adapter}.jsonl").open("a", encoding="utf-8") as file:
-                file.write(json.dumps(line) + "\n")
-            left = (time.monotonic() - started) / (done + 1) * (len(begins) - done - 1)
-            survey.say(f"{adapter}: pairs up to {line['end']} of {end}, {left / 60:.0f} min left")
+        cases.unlink()
+        minutes = (time.monotonic() - begun) / (done + 1) * (len(left) - done - 1) / 60
+        survey.say(f"{', '.join(adapters)}: pairs up to {stop} of {end}, {minutes:.0f} min left")
     return 0
 
 

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <chrono>
 #include <clocale>
 #include <cmath>
@@ -263,6 +264,10 @@ inline std::string quoted(const std::string& text) {
 inline std::string number(double x) {
   if (std::isnan(x)) return "\"nan\"";
   if (std::isinf(x)) return x < 0 ? "\"-inf\"" : "\"inf\"";
+#ifdef __cpp_lib_to_chars
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
+#else
   for (int digits = std::numeric_limits<double>::digits10;; ++digits) {
     std::ostringstream text;
     text.imbue(std::locale::classic());
@@ -271,6 +276,7 @@ inline std::string number(double x) {
     const std::string written = text.str();
     if (digits == std::numeric_limits<double>::max_digits10 || JsonReader(written).read().number == x) return written;
   }
+#endif
 }
 
 inline std::string vector(const Vector& v, int dimension) {
