@@ -113,6 +113,7 @@ struct UnitBall {
   std::vector<std::uint32_t> input_ids;  ///< of each vertex; of equal input points the lowest. Ascending.
   mpz_class denominator = 1;             ///< of the coordinates of the vertices, > 0
   bool symmetric = false;                ///< about O: a norm. Else a gauge: the length of -t may differ from that of t.
+  unsigned dimension = 3;                ///< 2 of a ball of the plane: then every z is 0
 };
 
 /// Returns the convex hull of the points as a unit ball. Throws NoUnitBall, and
@@ -200,6 +201,27 @@ ApproxDepth approx_width(std::span<const Point> points, const mpq_class& delta, 
 ///                                     [AGHRS, SHALLOW-PENETRATION, Theorem 3.5; proofs/shallow.md]
 Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {},
                     const mpq_class& delta = mpq_class(1, 4));
+
+// ---- bodies of the plane, and of space ----
+//
+// The same for polytopes, both of space, or both of the plane (fathom/plane.hpp): there every z is
+// 0, that of directions, centers and balls too, and a contact is that of vertices and edges. Each
+// throws std::invalid_argument as well if a body is no hull of points, or one of them is of the
+// plane and another of space.                                                   [proofs/plane.md]
+
+/// As the function of the same name about points.
+DirectionalDepth directional_depth(const Body& a, const Body& b, const Point& direction, Monitor* monitor = nullptr);
+/// As the function of the same name about points.
+GrowthDistance growth_distance(const Body& a, const Body& b, const std::optional<Point>& center_a = std::nullopt,
+                               const std::optional<Point>& center_b = std::nullopt, Monitor* monitor = nullptr);
+/// The unit ball of a norm or gauge in space, or in the plane.
+UnitBall unit_ball(const Body& body);
+/// As the function of the same name about points, where also the ball is of the plane. In the plane
+/// two rays more are shot.
+MetricResult metric_depth(const Body& a, const Body& b, const UnitBall& ball, Monitor* monitor = nullptr);
+/// As the functions of the same names about points, with as many rays in the plane as in space.
+ApproxDepth approx_depth(const Body& a, const Body& b, const mpq_class& delta, Monitor* monitor = nullptr);
+ApproxDepth approx_width(const Body& body, const mpq_class& delta, Monitor* monitor = nullptr);
 
 // ---- many questions about the same bodies ----
 

@@ -3,17 +3,21 @@
 #include "reference/answer/plane.hpp"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "fathom/approximate.hpp"
 #include "fathom/plane.hpp"
 #include "fathom/union.hpp"
 #include "kernels/number/rational.hpp"
+#include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/files/shape_names.hpp"
@@ -108,15 +112,19 @@ std::size_t count_of(const Body& body, std::uint32_t piece = 0) {
   return body.shape ? files::points_of(*body.shape).value_or(std::vector<Point>()).size() : body.points.size();
 }
 
+/// Where the second body was raised.
+void map_facts(const Body& a, const Body& b, BodyFacts& facts) {
+  facts.flat_a = is_flat_body(a);
+  facts.flat_b = is_flat_body(b);
+  facts.extreme_b /= 2;
+}
+
 Depth mapped(const Body& a, const Body& b, const Depth& of_prisms) {
   const auto of_plane = [&, count_a = count_of(a), count_b = count_of(b)](const Contact& contact) {
     return mapped(contact, count_a, count_b);
   };
-  Depth depth;
-  depth.flat_a = is_flat_body(a);
-  depth.flat_b = is_flat_body(b);
-  depth.extreme_a = of_prisms.extreme_a;
-  depth.extreme_b = of_prisms.extreme_b / 2;
+  Depth depth{of_prisms, {}, {}, {}};
+  map_facts(a, b, depth);
   depth.method = of_prisms.method;
   depth.counters = of_prisms.counters;
   if (const Touch* const touch = of_prisms.touch()) {
@@ -153,6 +161,35 @@ UnionDepth mapped(const Body& a, const Body& b, UnionDepth depth) {
   return depth;
 }
 
+/// A plane that leaves the bodies on its two sides does so without its slope.
+template <class Penetrating>
+void map(const Body& a, const Body& b, SeparationOr<Penetrating>& found) {
+  map_facts(a, b, found);
+  if (Separation* const plane = std::get_if<Separation>(&found.outcome)) {
+    plane->normal = primitive(Vector{plane->normal.x, plane->normal.y, 0});
+    return;
+  }
+  const auto map_contact = [&](auto& met) { met.contact = mapped(met.contact, count_of(a), count_of(b)); };
+  Penetrating& inside = std::get<Penetrating>(found.outcome);
+  if constexpr (requires { inside.optima; }) std::ranges::for_each(inside.optima, map_contact);
+  else map_contact(inside);
+}
+
+std::vector<Weight> mapped(const std::vector<Weight>& weights, std::size_t count) {
+  std::map<std::uint32_t, mpq_class> sums;
+  for (const Weight& w : weights) sums[w.index % static_cast<std::uint32_t>(count)] += w.weight;
+  std::vector<Weight> result;
+  for (const auto& [index, weight] : sums) result.push_back({index, weight});
+  return result;
+}
+
+void map(const Body& a, const Body& b, GrowthDistance& found) {
+  map_facts(a, b, found);
+  if (!found.touch) return;
+  found.touch->contact = mapped(found.touch->contact, count_of(a), count_of(b));
+  found.touch->weights_b = mapped(found.touch->weights_b, count_of(b));
+}
+
 void require_z_0(const std::vector<Point>& points) {
   if (std::ranges::any_of(points, [](const Point& p) { return p.z != 0; }))
     throw std::invalid_argument("a point of a body of the plane has the z 0, found another");
@@ -166,6 +203,42 @@ bool is_flat_polytope(const Body& body) {
   if (!polytope::place_narrow(points, points, placed)) return is_flat(files::shape_of(body));
   return polytope::with_pair(placed, points, points, scans,
                              [](const auto& pair) { return depth::facts_of(pair).flat_a; });
+
+// ---- rays ----
+
+void require_points(const Body& body) {
+  if (body.shape || body.pieces)
+    throw std::invalid_argument("rays are shot through hulls of points, found a shape or a union");
+}
+
+using PointSpan = std::span<const Point>;
+
+/// Asks about the points of two polytopes; in the plane about prisms that are twice as high as an
+/// answer needs, so that an approximate one does not meet their ends.
+template <class Ask>
+auto asked_of_points(const Body& a, const Body& b, const Ask& ask) {
+  require_points(a);
+  require_points(b);
+  if (a.dimension == 3 && b.dimension == 3) return ask(PointSpan(a.points), PointSpan(b.points));
+  const Prisms prisms = prisms_of(a, b, 2);
+  auto found = ask(PointSpan(prisms.a.points), PointSpan(prisms.b.points));
+  map(a, b, found);
+  return found;
+}
+
+void require_in(unsigned dimension, const std::optional<Point>& p) {
+  if (dimension == 2 && p) require_z_0({*p});
+}
+
+/// The ball between two further vertices, above and below O, which no body is so near as to reach.
+UnitBall raised(UnitBall ball) {
+  Vector top{0, 0, 0};
+  std::uint32_t next = 0;
+  for (const Vector& v : ball.vertices) top.z = std::max<mpz_class>(top.z, abs(v.x));
+  for (const std::uint32_t id : ball.input_ids) next = std::max(next, id + 1);
+  ball.vertices.insert(ball.vertices.end(), {top, -top});
+  ball.input_ids.insert(ball.input_ids.end(), {next, next + 1});
+  return ball;
 }
 
 }  // namespace
@@ -182,11 +255,11 @@ mpq_class height_above(const Body& a, const Body& b) {
   return power;
 }
 
-Prisms prisms_of(const Body& a, const Body& b) {
+Prisms prisms_of(const Body& a, const Body& b, unsigned times) {
   if (a.dimension != 2 || b.dimension != 2)
     throw std::invalid_argument("a body of the plane and one of space are given: both must be of one of them");
   if (shapes::is_halfspace(a) || shapes::is_halfspace(b)) return {flat_in_space(a), flat_in_space(b), 0};
-  mpq_class height = height_above(a, b);
+  mpq_class height = height_above(a, b) * times;
   Body raised_b = raised(b, height);
   return {a.pieces || b.pieces ? raised(a, height) : flat_in_space(a), std::move(raised_b), std::move(height)};
 }
@@ -239,6 +312,59 @@ bool is_flat_body(const Body& body) {
 }  // namespace fathom::answer
 
 namespace fathom {
+
+using answer::asked_of_points;
+using answer::PointSpan;
+
+DirectionalDepth directional_depth(const Body& a, const Body& b, const Point& direction, Monitor* monitor) {
+  answer::require_in(a.dimension, direction);
+  return asked_of_points(
+      a, b, [&](PointSpan of_a, PointSpan of_b) { return directional_depth(of_a, of_b, direction, monitor); });
+}
+
+GrowthDistance growth_distance(const Body& a, const Body& b, const std::optional<Point>& center_a,
+                               const std::optional<Point>& center_b, Monitor* monitor) {
+  answer::require_in(a.dimension, center_a);
+  answer::require_in(a.dimension, center_b);
+  return asked_of_points(
+      a, b, [&](PointSpan of_a, PointSpan of_b) { return growth_distance(of_a, of_b, center_a, center_b, monitor); });
+}
+
+// Of the vertices of a prism those that stand first are at its lower end.
+UnitBall unit_ball(const Body& body) {
+  answer::require_points(body);
+  if (body.dimension == 3) return unit_ball(PointSpan(body.points));
+  if (answer::is_flat_body(body)) throw NoUnitBall("the unit ball is flat: its points lie on one line");
+  UnitBall ball = unit_ball(PointSpan(answer::raised(body, 1).points));
+  ball.vertices.resize(ball.vertices.size() / 2);
+  ball.input_ids.resize(ball.vertices.size());
+  for (Vector& v : ball.vertices) v.z = 0;
+  ball.dimension = 2;
+  return ball;
+}
+
+MetricResult metric_depth(const Body& a, const Body& b, const UnitBall& ball, Monitor* monitor) {
+  if (ball.dimension != a.dimension)
+    throw std::invalid_argument("the bodies and the unit ball must be all of the plane, or all of space");
+  const UnitBall in_space = ball.dimension == 2 ? answer::raised(ball) : ball;
+  return asked_of_points(a, b,
+                         [&](PointSpan of_a, PointSpan of_b) { return metric_depth(of_a, of_b, in_space, monitor); });
+}
+
+ApproxDepth approx_depth(const Body& a, const Body& b, const mpq_class& delta, Monitor* monitor) {
+  return asked_of_points(a, b,
+                         [&](PointSpan of_a, PointSpan of_b) { return approx_depth(of_a, of_b, delta, monitor); });
+}
+
+// Half of the rays suffice for a prism and itself.
+ApproxDepth approx_width(const Body& body, const mpq_class& delta, Monitor* monitor) {
+  ApproxDepth found =
+      asked_of_points(body, body, [&](PointSpan, PointSpan of_b) { return approx_width(of_b, delta, monitor); });
+  found.extreme_a = found.extreme_b;
+  ApproxPenetration* const inside = std::get_if<ApproxPenetration>(&found.outcome);
+  if (body.dimension == 2 && inside && inside->witness) inside->witness->a.z = inside->witness->b.z = 0;
+  return found;
+}
 
 Body in_plane(Body body) {
   if (body.solid) throw std::invalid_argument("the solid of a mesh is no body of the plane");
