@@ -197,13 +197,19 @@ def genuine_texts(options):
     return texts + list(patches.genuine(options.patches, options.seed))
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def campaign_arguments(count):
+    """A parser of what all programs with forgeries are told."""
+    parser = argparse.ArgumentParser(description=sys.modules["__main__"].__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--checker", action="append", required=True)
-    parser.add_argument("--oracle")
-    parser.add_argument("--count", type=int, default=20000)
+    parser.add_argument("--count", type=int, default=count)
     parser.add_argument("--share", type=int, default=1)
     parser.add_argument("--seed", type=int, default=1)
+    return parser
+
+
+def main():
+    parser = campaign_arguments(20000)
+    parser.add_argument("--oracle")
     parser.add_argument("--solids", type=int, default=0)
     parser.add_argument("--patches", type=int, default=0)
     parser.add_argument("path", nargs="*")

@@ -8,7 +8,6 @@ plane_forgeries.py --checker COMMAND [--checker COMMAND].. [--count N] [--share 
 PATH is a folder of genuine certificates (*.cert). The first checker sees every forgery, the others each K-th one. Exit codes: 0 fine;
 1 a disagreement, or something untrue is said; 2 usage, or a genuine certificate is not accepted.
 """
-import argparse
 import itertools
 import pathlib
 import random
@@ -19,7 +18,7 @@ from fractions import Fraction
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from forgeries import EXIT, run_checker  # noqa: E402
+from forgeries import EXIT, campaign_arguments, run_checker  # noqa: E402
 
 BATCH = 500
 
@@ -188,11 +187,7 @@ def moved(text, rng):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--checker", action="append", required=True)
-    parser.add_argument("--count", type=int, default=4000)
-    parser.add_argument("--share", type=int, default=1)
-    parser.add_argument("--seed", type=int, default=1)
+    parser = campaign_arguments(4000)
     parser.add_argument("path", nargs="+", type=pathlib.Path)
     options = parser.parse_args()
     files = [file for path in options.path for file in sorted(path.glob("*.cert"))]

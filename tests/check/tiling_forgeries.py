@@ -7,7 +7,6 @@ tiling_forgeries.py --checker COMMAND [--checker COMMAND].. [--count N] [--share
 The genuine ones are those of the files, and others cut here out of hulls. Of NEVER none may be accepted; ALWAYS say the same in other
 words; MAYBE is judged by winding numbers where it is accepted. Exit codes: 0 fine; 1 a fault; 2 usage.
 """
-import argparse
 import collections
 import copy
 import pathlib
@@ -311,11 +310,7 @@ class Campaign:
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--checker", action="append", required=True)
-    parser.add_argument("--count", type=int, default=2000)
-    parser.add_argument("--share", type=int, default=1)
-    parser.add_argument("--seed", type=int, default=1)
+    parser = forgeries.campaign_arguments(2000)
     parser.add_argument("files", nargs="*", type=pathlib.Path)
     options = parser.parse_args()
     rng = random.Random(options.seed)

@@ -7,7 +7,6 @@ union_forgeries.py --checker COMMAND [--checker COMMAND].. --fathom PROGRAM [--c
 The genuine ones are made by fathom, of random boxes; what is true of boxes is found here by definition, and of other points by fathom.
 Before these, forgeries that each aim at one condition of FORMAT.md, section 12. Exit codes: 0 fine; 1 a fault; 2 usage.
 """
-import argparse
 import collections
 import json
 import pathlib
@@ -259,12 +258,8 @@ class Campaign:
 
 
 def main(campaign=Campaign):
-    parser = argparse.ArgumentParser(description=sys.modules["__main__"].__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--checker", action="append", required=True)
+    parser = forgeries.campaign_arguments(2000)
     parser.add_argument("--fathom", required=True)
-    parser.add_argument("--count", type=int, default=2000)
-    parser.add_argument("--share", type=int, default=1)
-    parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         campaign = campaign(options, folder)

@@ -5,7 +5,6 @@ import itertools
 import math
 import os
 import pathlib
-import sys
 import unittest
 
 import web_install
@@ -171,8 +170,4 @@ class Plane(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    missing = web_install.install()
-    if missing:
-        print(f"{pathlib.Path(__file__).name}: skipped: {missing}", file=sys.stderr)
-        sys.exit(web_install.SKIPPED)
-    unittest.main()
+    web_install.main(pathlib.Path(__file__).name)

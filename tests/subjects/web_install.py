@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+import unittest
 
 from client import ROOT
 
@@ -31,3 +32,12 @@ def install(*more):
     if OFFLINE.search(done.stderr):
         return done.stderr
     sys.exit(done.stderr)
+
+
+def main(name):
+    """Runs the tests of the program, or says why they are skipped."""
+    missing = install()
+    if missing:
+        print(f"{name}: skipped: {missing}", file=sys.stderr)
+        sys.exit(SKIPPED)
+    unittest.main()

@@ -7,7 +7,6 @@ import os
 import pathlib
 import re
 import subprocess
-import sys
 import unittest
 from itertools import islice
 
@@ -223,8 +222,4 @@ class Web(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    missing = web_install.install()
-    if missing:
-        print(f"{MODULE}: skipped: {missing}", file=sys.stderr)
-        sys.exit(web_install.SKIPPED)
-    unittest.main()
+    web_install.main(MODULE)
