@@ -40,7 +40,7 @@ ORDER = [
     ["reference/lines"],
     ["reference/depth"],
     ["reference/solve"],
-    ["reference/approximate", "reference/shapes", "reference/unions"],
+    ["reference/approximate", "reference/motion", "reference/shapes", "reference/unions"],
     ["reference/solids"],
     ["reference/curved"],
     ["reference/rounded"],
