@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Prints what the main theorems rest on; compared with assumptions.expected. *)
 From Fathom.geometry Require Import depth kinds width minkowski wording combinations signed_depth existence rounded ways_out gaps seams patches rates_overlap rates_plane
-  rates_moving motions crossings tiles_winding tilings said union_depth mesh_said plane.
+  rates_moving motions crossings tiles_winding tilings said union_depth mesh_said plane turns.
 From Fathom.soundness Require Import main corollaries every_motion facets_listed verdict_sound example cone_sound signed_sound union_sound union_example patch_sound patch_verdict_sound
-  patch_example tiling_sound tiling_example plane_sound.
+  patch_example tiling_sound tiling_example plane_sound impact_sound.
 
 Print Assumptions check_sound.
 Print Assumptions verdict_sound.
@@ -108,3 +108,6 @@ Print Assumptions plane_union_verdict_sound.
 Print Assumptions plane_depth.
 Print Assumptions plane_exits.
 Print Assumptions inside_upright.
+Print Assumptions impact_verdict_sound.
+Print Assumptions placed_rigid.
+Print Assumptions placed_sense.

@@ -215,3 +215,37 @@ Definition says_tiling (M : list triangle) (Ps : list (list pt)) (s : tiling_sta
         winding_is M x v n -> sum_is (is_in x) Ps n)
   /\ (forall p, union Ps p <-> forall e, 0 < e -> exists x v n,
         norm2 (sub x p) < e * e /\ generic M x v /\ winding_is M x v n /\ (0 < n)%Z).
+
+(* ==== 6. Two bodies in motion ==== *)
+(* where a body's origin is, and the quaternion by which it is turned, of any length *)
+Record pose (V U : Type) := Pose { spot : V; scalar : U; axis : V }.
+Definition length2 (o : pose pt R) := scalar o * scalar o + norm2 (axis o).
+(* where its point x is: all distances are kept, and all senses [placed_rigid, placed_sense] *)
+Definition placed (o : pose pt R) (x : pt) := add (spot o) (scal (/ length2 o)
+  (add (scal (scalar o * scalar o - norm2 (axis o)) x)
+    (scal 2 (add (scal (dot (axis o) x) (axis o)) (scal (scalar o) (cross (axis o) x)))))).
+Record motion (V U : Type) := Motion { at_start : pose V U; at_end : pose V U }.
+Definition mean (t : R) (u v : pt) := add (scal (1 - t) u) (scal t v).
+Definition pose_at '(Motion o e : motion pt R) (t : R) := Pose (mean t (spot o) (spot e))
+  ((1 - t) * scalar o + t * scalar e) (mean t (axis o) (axis e)).
+Definition real_pose (o : pose point ratio) :=
+  Pose (real (spot o)) (value (scalar o)) (real (axis o)).
+Definition real_motion '(Motion o e) := Motion (real_pose o) (real_pose e).
+(* at the time t both have a place; some points of them are at most d from each other *)
+Definition have_place (M N : motion pt R) (t : R) :=
+  0 <= t <= 1 /\ 0 < length2 (pose_at M t) /\ 0 < length2 (pose_at N t).
+Definition as_near (A B : list pt) (M N : motion pt R) (t d : R) := exists a b, conv A a /\ conv B b
+  /\ norm2 (sub (placed (pose_at M t) a) (placed (pose_at N t) b)) <= d * d.
+
+(* until=e: from the time 0 to e they have no point in common, but maybe after i and before j where
+   near=(i,j):d+.. is said, and then they are as near as d at j; at=t: at t they have one *)
+Record impact_statement := Impact { until : option ratio; meet_at : option ratio;
+  near_in : list (ratio * ratio * ratio) }.
+Definition says_impact (A B : list pt) (M N : motion pt R) (s : impact_statement) :=
+  (forall e, until s = Some e -> forall t, 0 <= t <= value e ->
+    have_place M N t /\ ~ as_near A B M N t 0
+    \/ exists i j d, In (i, j, d) (near_in s) /\ value i < t < value j)
+  /\ (forall t, meet_at s = Some t ->
+    have_place M N (value t) /\ as_near A B M N (value t) 0)
+  /\ (forall i j d, In (i, j, d) (near_in s) ->
+    have_place M N (value j) /\ as_near A B M N (value j) (value d)).

@@ -247,6 +247,7 @@ const CaseFile::Bodies& CaseFile::find(const Certificate& certificate,
 void CaseFile::compare(const Certificate& certificate, bool width, const std::optional<std::string>& result_id) const {
   for (const Body* const body : {&certificate.a, &certificate.b})
     if (body->core == Body::Core::solid) throw refused(body->line, "a solid is not what a case holds");
+  if (certificate.format == 6) throw refused(certificate.a.line, "bodies in motion are not compared with a case");
   const Bodies& own = find(certificate, result_id);
   if (own.plane != certificate.raising.has_value())
     throw refused(certificate.a.line, own.plane ? "the case is of the plane, the certificate of space"
@@ -258,6 +259,7 @@ void CaseFile::compare(const Certificate& certificate, bool width, const std::op
 void require_width(const Certificate& certificate) {
   const Body &a = certificate.a, &b = certificate.b;
   if (certificate.raising) throw refused(certificate.raising->line, "bodies of the plane have no width here");
+  if (certificate.format == 6) throw refused(a.line, "bodies in motion have no width");
   if (a.core == Body::Core::solid) throw refused(a.line, "solids have no width here: it is that of a convex body");
   if (a.core == Body::Core::pieces) throw refused(a.line, "unions have no width here: it is that of a convex body");
   const bool equal =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A certificate as it was read: nothing in it is believed yet.
-//                                                           [FORMAT.md, sections 2, 3, 12 to 15]
+//                                                           [FORMAT.md, sections 2, 3, 12 to 17]
 #pragma once
 
 #include <gmpxx.h>
@@ -93,7 +93,7 @@ struct RationalPoint {
   Rational x, y, z;
 };
 
-enum class Claim { depth, bounds, touching, disjoint, apart, signed_bounds, solid };
+enum class Claim { depth, bounds, touching, disjoint, apart, signed_bounds, solid, grazing, contact };
 
 /// Indices as read; one too large for any list has become `no_index`.
 constexpr std::uint32_t no_index = UINT32_MAX;
@@ -259,6 +259,35 @@ struct PatchParts {
   [[nodiscard]] std::size_t begin_of(std::size_t k) const { return k == 0 ? 0 : corners.items[k - 1].end_b; }
 };
 
+/// What a certificate of format 6 says besides: how the bodies move, and what shows when they meet.
+struct MotionParts {
+  struct Quaternion {
+    Rational r;
+    RationalPoint v;
+  };
+  /// At the begin, and at the end.
+  struct Motion {
+    std::array<Quaternion, 2> turns;
+    std::array<RationalPoint, 2> places;
+  };
+  using Weights = std::array<Part<std::vector<Weight>>, 2>;  ///< of a and of b
+  /// From the end of the piece before, or from 0.
+  struct Piece {
+    enum class Kind { of_b, of_a, of_edges, near };
+    Kind kind;
+    std::size_t line;
+    Rational end;
+    Vector n, g;       ///< the direction; of edges, those of a and of b
+    Rational delta;    ///< of `near`
+    Weights weights;  ///< of `near`
+  };
+
+  std::array<Motion, 2> motions;  ///< of a and of b
+  std::vector<Piece> pieces;
+  std::size_t line = 0;   ///< that announces the pieces
+  mpz_class turning = 1;  ///< the least common multiple of the denominators of all quaternions
+};
+
 /// Bodies of the plane stand for bodies of space.                                   [section 16]
 struct Raising {
   Rational height;
@@ -285,6 +314,7 @@ struct Certificate {
   Part<std::vector<Pair>> differences;
   UnionParts of_unions;
   PatchParts of_patches;
+  MotionParts of_motions;
   mpz_class fine = 1;   ///< the least common multiple of the denominators of all parameters of inner points
   mpz_class scale = 1;  ///< `fine` times that of the denominators of all coordinates of points and atoms
 };

@@ -18,10 +18,11 @@ struct Verdict {
   std::string id;                      ///< as written in the certificate, percent-escaped; empty if it has none
 
   // If verified:
-  /// "penetrating", "touching", "disjoint"; "undecided" where signed bounds leave it open; "solid"
+  /// "penetrating", "touching", "disjoint"; "undecided" where signed bounds leave it open; "solid";
+  /// of bodies in motion "apart", "grazing", "contact"
   std::string status;
   /// of the certificate: 1 sets depth_squared, 2 and 4 signed_depth, unless it claims bounds; 3 one
-  /// of the squares; 5 one of two bodies, none of one solid
+  /// of the squares; 5 one of two bodies, none of one solid; 6 none
   int format = 1;
   std::string depth_squared;      ///< exact, in lowest terms: "1/4"
   std::string distance_squared;   ///< exact, of unions that are apart
@@ -39,6 +40,9 @@ struct Verdict {
   std::string patches;    ///< "4+1": how many corners the contact patch of each direction has; empty if none is claimed
   bool plane = false;     ///< whether all this is of bodies of the plane
   std::size_t rates = 0;  ///< number of derivatives of the signed depth that are claimed
+  std::string until;      ///< of bodies in motion: the time up to which they are apart; empty if this is not shown of 0
+  std::string meeting;    ///< the time at which they are in contact; empty if they do not meet
+  std::string near;       ///< "(1/4,1/2):1/8+..": the times between which nothing is shown, and their distance at the later
 
   // If not:
   std::size_t line = 0;  ///< where, from 1

@@ -21,8 +21,10 @@ NUMBERS = {1: {"depth": 1, "bounds": 2, "touching": 0, "disjoint": 0},  # of eac
            2: {"depth": 1, "touching": 0, "apart": 1, "signed_bounds": 2},
            3: {"depth": 1, "touching": 0, "apart": 1},
            4: {"depth": 1, "touching": 0, "apart": 1},
-           5: {"solid": 0}}  # of one solid; those of two bodies are as in format 3
+           5: {"solid": 0},  # of one solid; those of two bodies are as in format 3
+           6: {"apart": 0, "grazing": 0, "contact": 1}}
 ATOMS = {"point": 1, "disc": 3, "ball": 4}  # vectors: the center, then the axes
+PIECES = {"b": [INTEGER] * 3, "a": [INTEGER] * 3, "ab": [INTEGER] * 6, "near": [RATIONAL]}  # of a motion, behind their end
 
 
 def demand(true, reason, kind=Refused):
@@ -266,17 +268,43 @@ class Reader:
         c["weights_a"] = self.part("weights_a", [NATURAL, RATIONAL], rational)
         c["weights_b"] = self.part("weights_b", [NATURAL, RATIONAL], rational)
 
+    def motion(self, word):
+        """Two quaternions, two places."""
+        self.these(word)
+        found = [tuple(map(rational, self.row(*[RATIONAL] * count))) for count in (4, 4, 3, 3)]
+        self.advance()
+        return found
+
+    def motions(self, c):
+        c["a"], c["b"] = self.points("a"), self.points("b")
+        c["motion_a"], c["motion_b"] = self.motion("motion_a"), self.motion("motion_b")
+        self.claim(c)
+        count, c["pieces"] = self.header("pieces"), []
+        self.advance()
+        for _ in count:
+            kind = (self.fields() + [""])[1]
+            demand(kind in PIECES, "expected a piece", Malformed)
+            end, _, *row = self.these(RATIONAL, kind, *PIECES[kind])
+            self.count_numbers(1 + len(row))
+            self.advance()
+            near = {}
+            if kind == "near":
+                self.weights(near)
+            c["pieces"].append((kind, rational(end), [*map(rational, row)], near))
+        if c["claim"] == "contact":
+            self.weights(c)
+
     def certificate(self, c):
         self.bytes, self.numbers, self.counts, self.height = 0, 0, [], None
-        c["format"] = int(self.these("fathom-certificate", re.compile("[12345]"))[1])
+        c["format"] = int(self.these("fathom-certificate", re.compile("[123456]"))[1])
         self.advance()
         if self.fields()[0] == "id":
             c["id"] = self.these("id", TEXT)[1]
             self.advance()
-        if self.fields()[0] == "plane" and c["format"] != 4:
+        if self.fields()[0] == "plane" and c["format"] not in (4, 6):
             self.height = c["height"] = rational(self.these("plane", RATIONAL)[1])
             self.advance()
-        {3: self.union, 5: self.solids}.get(c["format"], self.convex)(c)
+        {3: self.union, 5: self.solids, 6: self.motions}.get(c["format"], self.convex)(c)
         if c["format"] == 4:
             self.patches(c)
         counts = self.counts + [0] * (5 - len(self.counts) if c["format"] == 1 else 0)
@@ -492,6 +520,33 @@ def require_limits_of_two(c):
     c["work"] = work
     for x in "ab":
         c["weights_" + x] = [(int(k), w) for k, w in c["weights_" + x]]
+
+
+def require_motion_limits(c):
+    """Section 17. From here on there are only integers, but for times and distances."""
+    motions, pieces = [c["motion_a"], c["motion_b"]], c["pieces"]
+    ends = [near for kind, *_, near in pieces if kind == "near"] + [c] * (c["claim"] == "contact")
+    weights, points = [w for near in ends for x in "ab" for w in near["weights_" + x]], len(c["a"]) + len(c["b"])
+    places = [p for motion in motions for p in motion[2:]]
+    c["unit"], w = common_denominator([x for p in c["a"] + c["b"] + places for x in p], points + 4)
+    turning, y = common_denominator([x for motion in motions for q in motion[:2] for x in q], 4)
+    c["whole"], x = common_denominator([weight for _, weight in weights], len(weights))
+    planes = [row for kind, _, row, _ in pieces if kind != "near"]
+    u = widest(n.numerator for row in planes for n in row)
+    size = (points + 4) * w + 4 * y + len(weights) * x + 2 * len(planes) * u
+    demand(size <= LARGEST_SIZE, f"a certificate of a size above {LARGEST_SIZE}", Malformed)
+    numbers = [e for _, e, _, _ in pieces] + [row[0] for kind, _, row, _ in pieces if kind == "near"] + c["bounds"]
+    b = max((sum(abs(n).bit_length() for n in q.as_integer_ratio()) for q in numbers), default=1)
+    z = 2 * w + 4 * y + 12 * b + 2 * u + 32
+    work = 6 * points * len(planes) * cost(z, w) + (200 * len(planes) + 8 * points * len(ends)) * cost(z, z)
+    work += 4 * len(weights) * cost(z + x, z + x)
+    demand(work <= MOST_WORK, f"a certificate of work above {MOST_WORK}", Malformed)
+    for x, motion in zip("ab", motions):
+        c[x] = [scaled(p, c["unit"]) for p in c[x]]
+        c["motion_" + x] = [scaled(q, turning) for q in motion[:2]] + [scaled(p, c["unit"]) for p in motion[2:]]
+    for near in ends:
+        for x in "ab":
+            near["weights_" + x] = [(int(i), w.numerator * (c["whole"] // w.denominator)) for i, w in near["weights_" + x]]
 
 
 def spend(c, planes, r=0):
@@ -1000,6 +1055,106 @@ def check_two(c):
     return f"{said} pieces={len(a.pieces)}x{len(b.pieces)} triangles={triangles[0]}x{triangles[1]}"
 
 
+class Polynomial:
+    """A homogeneous one of v and u: the coefficients of v^(n-k) u^k."""
+
+    def __init__(self, coefficients):
+        self.coefficients = coefficients
+
+    def __add__(self, p):
+        return Polynomial([x + y for x, y in zip(self.coefficients, p.coefficients)])
+
+    def __neg__(self):
+        return Polynomial([-x for x in self.coefficients])
+
+    def __sub__(self, p):
+        return self + -p
+
+    def __mul__(self, p):
+        product = [0] * (len(self.coefficients) + len(p.coefficients) - 1)
+        for i, x in enumerate(self.coefficients):
+            for j, y in enumerate(p.coefficients):
+                product[i + j] += x * y
+        return Polynomial(product)
+
+
+def times(k, u):
+    return tuple(k * x for x in u)
+
+
+def rotated(r, v, x):
+    """By the quaternion r + v, times its squared length."""
+    turned = [y + z for y, z in zip(times(dot(v, x), v), times(r, cross(v, x)))]
+    return tuple(y + z + z for y, z in zip(times(r * r - dot(v, v), x), turned))
+
+
+def conditions(kind, row, motions):
+    """Section 17: D, u and v."""
+    (wa, ra, va, pa), (wb, rb, vb, pb) = ((r * r + dot(v, v), r, v, p) for (r, *v), p in motions)
+    d = tuple(x - y for x, y in zip(pa, pb))
+    n, g = ([Polynomial([x]) for x in vector] for vector in (row[:3], row[-3:]))
+    if kind == "b":
+        h = rotated(rb, vb, n)
+        return wa * dot(h, d), rotated(ra, minus(va), h), times(wa * wb, n)
+    h = rotated(ra, va, n)
+    if kind == "a":
+        return wb * dot(h, d), times(wa * wb, n), rotated(rb, minus(vb), h)
+    k = rotated(rb, vb, g)
+    return dot(cross(h, k), d), cross(n, rotated(ra, minus(va), k)), cross(rotated(rb, minus(vb), h), g)
+
+
+def require_apart(c, kind, row, s, e):
+    """At each time from s to e."""
+    def between(x, y):  # a number of the motion, times both denominators
+        return Polynomial([other.denominator * ((t.denominator - t.numerator) * x + t.numerator * y) for t, other in ((s, e), (e, s))])
+
+    motions = [[[between(x, y) for x, y in zip(*ends)] for ends in (motion[:2], motion[2:])] for motion in (c["motion_a"], c["motion_b"])]
+    distance, *vectors = conditions(kind, [int(n) for n in row], motions)
+    of_a, of_b = (zip(*((x * Polynomial([1, 1])).coefficients for x in vector)) for vector in vectors)  # raised to degree 5
+    for h, u, v in zip(distance.coefficients, of_a, of_b):
+        h += s.denominator * e.denominator * (min(dot(u, a) for a in c["a"]) - max(dot(v, b) for b in c["b"]))
+        demand(h > 0, "a piece that does not show that the bodies are apart")
+
+
+def require_near(c, t, delta, weights):
+    """At the time t two points are at most delta from each other."""
+    ends = []
+    for x in "ab":
+        (r, *v), p = ([(1 - t) * y + t * z for y, z in zip(*ends)] for ends in (c["motion_" + x][:2], c["motion_" + x][2:]))
+        length = r * r + dot(v, v)
+        demand(length > 0, "a quaternion that is zero")
+        corner = [Fraction(y, c["whole"]) for y in combination(weights["weights_" + x], c[x], c["whole"])]
+        ends.append([y + z / length for y, z in zip(p, rotated(r, v, corner))])
+    z = [y - x for x, y in zip(*ends)]
+    demand(dot(z, z) <= (delta * c["unit"])**2, "weights of points too far from each other")
+
+
+def check_motion(c):
+    """Section 17. What is proved, for the verdict line."""
+    demand(c["a"] and c["b"], "a body without points")
+    s, before, near = Fraction(0), "near", []
+    for kind, e, row, weights in c["pieces"]:
+        demand(s <= e <= 1, "pieces that are not in order, or beyond the end")
+        if kind == "near":
+            demand(before != "near", "a piece of the kind near that is the first one, or behind another")
+            demand(row[0] >= 0, "a negative distance")
+            require_near(c, e, row[0], weights)
+            near.append(f"({s},{e}):{row[0]}")
+        else:
+            require_apart(c, kind, row, s, e)
+        s, before = e, kind
+    demand(not c["pieces"] or before != "near", "a piece of the kind near that is the last one")
+    said = " near=" + "+".join(near) if near else ""
+    if c["claim"] != "contact":
+        demand(c["pieces"] and s == 1, "pieces that do not end at 1")
+        demand(bool(near) == (c["claim"] == "grazing"), "a claim that does not fit the pieces of the kind near")
+        return f"{c['claim']} until=1{said}"
+    t = c["bounds"][0]
+    demand(s < t <= 1 if c["pieces"] else t == 0, "a contact before the end of the pieces, or beyond 1")
+    require_near(c, t, 0, c)
+    return f"contact until={s} at={t}{said}" if c["pieces"] else "contact at=0"
+
+
 def place(c, name):
     return f" (in {name})" if c["id"] else ""
 
@@ -1016,8 +1171,8 @@ def verdicts(file, name):
         c.update({"vertices": [], "facets": None, "lineality": [], "rays": [], "differences": [], "patches": [], "rates": []})
         try:
             reader.certificate(c)
-            require, judge = {3: (require_union_limits, check_union), 5: (require_limits_of_two, check_two)}.get(
-                c["format"], (require_limits, check))
+            require, judge = {3: (require_union_limits, check_union), 5: (require_limits_of_two, check_two),
+                              6: (require_motion_limits, check_motion)}.get(c["format"], (require_limits, check))
             if c["claim"] == "solid":
                 require, judge = require_solid_limits, check_solid
             require(c)

@@ -55,6 +55,7 @@ void check_counts(const Certificate& c) {
 
 void check_claim(const Certificate& c, Arithmetic arithmetic) {
   if (c.claim == Claim::solid) return check_solid(c.a);
+  if (c.format == 6) return check_motions(c, arithmetic);
   check_numbers(c);
   if (c.raising) check_height(c, *c.raising);
   if (is_of_solids(c)) return check_two_bodies(c, of_cores(c, c.low));
@@ -132,6 +133,7 @@ bool is_exact(const Certificate& c) {
 mpq_class squared_of_cores(const Certificate& c) { return c.claim == Claim::apart ? -value(c.low) : value(c.low); }
 
 const char* status(const Certificate& c) {
+  if (c.format == 6) return c.claim == Claim::apart ? "apart" : c.claim == Claim::grazing ? "grazing" : "contact";
   const auto of_sign = [](int sign) { return sign > 0 ? "penetrating" : sign < 0 ? "disjoint" : "touching"; };
   switch (c.claim) {
     case Claim::depth:
@@ -140,6 +142,8 @@ const char* status(const Certificate& c) {
     case Claim::touching: return of_sign(sgn(radii(c)));
     case Claim::apart: return of_sign(cmp(radii(c) * radii(c), value(c.low)));
     case Claim::solid: return "solid";
+    case Claim::grazing:
+    case Claim::contact:
     case Claim::signed_bounds: break;
   }
   if (c.low.num.sign() > 0 || c.high.num.sign() < 0) return of_sign(c.low.num.sign());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The checks of FORMAT.md, sections 4 and 12 to 15. Each returns if all is proved and throws a
+// The checks of FORMAT.md, sections 4 and 12 to 17. Each returns if all is proved and throws a
 // Fault otherwise.
 #pragma once
 
@@ -84,6 +84,9 @@ void check_solid(const Body& body);
 /// Section 15, once it is known that the number of the claim is positive. `low` is that of the
 /// claim, negative if they are apart.
 void check_two_bodies(const Certificate& certificate, const Bound& low);
+
+/// Section 17: the bodies are apart where the claim says so, and meet where it does.
+void check_motions(const Certificate& certificate, Arithmetic arithmetic);
 
 /// Section 12, once it is known that the number of the claim is positive.
 void check_unions(const Certificate& certificate, const Scaled& bodies, const Bound& low);

@@ -280,12 +280,52 @@ void require_limits_of_solids(Certificate& c, std::size_t line, const Limits& li
   require_work(total.work, line, limits);
 }
 
+// The letters are those of section 17.
+void require_limits_of_motions(Certificate& c, std::size_t line, const Limits& limits) {
+  MotionParts& parts = c.of_motions;
+  const Count n = c.a.points.items.size() + c.b.points.items.size();
+  Count k = 0, ends = c.claim == Claim::contact ? 1 : 0, r = c.weights_a.items.size() + c.weights_b.items.size();
+  Count u = 0, b = bits(c.low.num) + bits(c.low.den);  // at least 1
+  for (const MotionParts::Piece& piece : parts.pieces) {
+    const bool near = piece.kind == MotionParts::Piece::Kind::near;
+    ++(near ? ends : k);
+    r += piece.weights[0].items.size() + piece.weights[1].items.size();
+    u = std::max({u, widest(piece.n), widest(piece.g)});
+    b = std::max(b, static_cast<Count>(bits(piece.end.num) + bits(piece.end.den)));
+    if (near) b = std::max(b, static_cast<Count>(bits(piece.delta.num) + bits(piece.delta.den)));
+  }
+  constexpr Count places = 4, quaternions = 4;
+  Width of_points(n + places, line, limits), of_turns(quaternions, line, limits), of_weights(r, line, limits);
+  for (const Body* body : {&c.a, &c.b}) for_each_point(*body, [&](const RationalPoint& p) { of_points.take(p); });
+  for (const MotionParts::Motion& motion : parts.motions) {
+    for (const RationalPoint& p : motion.places) of_points.take(p);
+    for (const MotionParts::Quaternion& q : motion.turns) of_turns.take(q.r), of_turns.take(q.v);
+  }
+  const auto take = [&](const Part<std::vector<Weight>>& weights) {
+    for (const Weight& weight : weights.items) of_weights.take(weight.weight);
+  };
+  for (const auto* weights : {&c.weights_a, &c.weights_b}) take(*weights);
+  for (const MotionParts::Piece& piece : parts.pieces)
+    for (const auto& weights : piece.weights) take(weights);
+  const Count w = of_points.value(), y = of_turns.value(), x = of_weights.value();
+  if ((n + places) * w + quaternions * y + r * x + 2 * k * u > limits.size) throw of_points.too_large();
+
+  const Count z = 2 * w + 4 * y + 12 * b + 2 * u + 32;
+  Count work = product(product(6 * n, k), cost(z, w));
+  work = sum(work, product(sum(200 * k, product(8 * n, ends)), cost(z, z)));
+  work = sum(work, product(4 * r, cost(z + x, z + x)));
+  require_work(work, line, limits);
+  c.scale = of_points.denominator();
+  parts.turning = of_turns.denominator();
+}
+
 }  // namespace
 
 // The letters are those of section 8.
 void require_limits(Certificate& c, std::size_t line, const Limits& limits) {
   if (c.format == 3) return require_limits_of_unions(c, line, limits);
   if (c.format == 5) return require_limits_of_solids(c, line, limits);
+  if (c.format == 6) return require_limits_of_motions(c, line, limits);
   Count n = 0;
   for (const Body* body : {&c.a, &c.b}) for_each_point(*body, [&n](const RationalPoint&) { ++n; });
   const Count i = c.a.inner.items.size() + c.b.inner.items.size(), f = c.facets.items.size(),

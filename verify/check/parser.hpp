@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From lines to a certificate: the grammar of FORMAT.md, sections 2 and 12 to 15, and nothing
+// From lines to a certificate: the grammar of FORMAT.md, sections 2 and 12 to 17, and nothing
 // more lenient.
 #pragma once
 
@@ -119,6 +119,9 @@ class Parser {
   void read_corner(PatchParts& parts);
   std::size_t read_weights_of_corner(std::vector<Weight>& weights, std::size_t first);
   void read_rates(Part<std::vector<PatchParts::Rate>>& part);
+  void read_motions(Certificate& result);
+  void read_motion(MotionParts::Motion& motion, const char* word);
+  void read_piece_of_motion(MotionParts& parts);
   void read_footer(const Certificate& certificate);
 
   Lines* lines_;

@@ -25,7 +25,7 @@ bool is_id(std::string_view text) {
 bool is_header(std::string_view line) {
   constexpr std::string_view start = "fathom-certificate ";
   return line.size() == start.size() + 1 && line.substr(0, start.size()) == start && line.back() >= '1' &&
-         line.back() <= '5';
+         line.back() <= '6';
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ void Parser::read(Certificate& result) {
   integers_ = &result.integers;
   const bool whole = lines_->kind() == Lines::Kind::whole;
   if (!whole || !is_header(lines_->text())) {
-    const Fault fault = wrong("'fathom-certificate' and a format: 1 to 5");
+    const Fault fault = wrong("'fathom-certificate' and a format: 1 to 6");
     if (at_header()) lines_->advance();  // it is this certificate's own
     throw fault;
   }
@@ -45,11 +45,12 @@ void Parser::read(Certificate& result) {
   advance();
   if (at("id")) read_id(result);
   height_ = nullptr;
-  if (at("plane") && result.format != 4) read_plane(result);
+  if (at("plane") && result.format != 4 && result.format != 6) read_plane(result);
   switch (result.format) {
     case 3: read_unions(result); break;
     case 4: read_convex(result), read_patches(result.of_patches); break;
     case 5: read_solids(result); break;
+    case 6: read_motions(result); break;
     default: read_convex(result);
   }
   read_footer(result);
@@ -184,6 +185,7 @@ void Parser::read_claim(Certificate& result) {
   if (result.format > 2 || (result.format == 2 && height_ != nullptr))
     expected = "'claim depth Q', 'claim touching' or 'claim apart Q'";
   if (result.claim == Claim::solid) expected = "'claim solid'";
+  if (result.format == 6) expected = "'claim apart', 'claim grazing' or 'claim contact T'";
   require_line(expected);
   result.claim_line = lines_->number();
   if (fields_.size() < 2 || fields_[0] != "claim") throw wrong(expected);
@@ -191,19 +193,23 @@ void Parser::read_claim(Certificate& result) {
     return there && fields_[1] == word && fields_.size() == 2 + numbers;
   };
   const bool first = result.format == 1, bounds = result.format == 2 && height_ == nullptr,
-             solid = result.claim == Claim::solid;
+             solid = result.claim == Claim::solid, moving = result.format == 6, still = !solid && !moving;
   if (is("solid", 0, solid)) {
     result.claim = Claim::solid;
-  } else if (is("depth", 1, !shapes && !solid)) {
+  } else if (is("depth", 1, !shapes && still)) {
     result.claim = Claim::depth;
-  } else if (is("touching", 0, !shapes && !solid)) {
+  } else if (is("touching", 0, !shapes && still)) {
     result.claim = Claim::touching;
   } else if (is("bounds", 2, first)) {
     result.claim = Claim::bounds;
   } else if (is("disjoint", 0, first)) {
     result.claim = Claim::disjoint;
-  } else if (is("apart", 1, !first && !shapes && !solid)) {
+  } else if (is("apart", 1, !first && !shapes && still) || is("apart", 0, moving)) {
     result.claim = Claim::apart;
+  } else if (is("grazing", 0, moving)) {
+    result.claim = Claim::grazing;
+  } else if (is("contact", 1, moving)) {
+    result.claim = Claim::contact;
   } else if (is("signed_bounds", 2, bounds)) {
     result.claim = Claim::signed_bounds;
   } else {
@@ -514,6 +520,66 @@ void Parser::read_rates(Part<std::vector<PatchParts::Rate>>& part) {
   read_rows(part, header("rates"), 8, expected, [this](auto& rates) {
     rates.push_back({point(0), point(3), integer(fields_[6], expected), rational(fields_[7])});
   });
+}
+
+// Motions.
+
+void Parser::read_motions(Certificate& result) {
+  for (const auto& [name, body] : {std::pair{"a", &result.a}, std::pair{"b", &result.b}}) {
+    body->line = lines_->number();
+    read_points(*body, name);
+  }
+  MotionParts& parts = result.of_motions;
+  read_motion(parts.motions[0], "motion_a");
+  read_motion(parts.motions[1], "motion_b");
+  read_claim(result);
+  parts.line = lines_->number();
+  std::size_t left = header("pieces");
+  for (advance(); left > 0; --left) read_piece_of_motion(parts);
+  if (result.claim != Claim::contact) return;
+  read_weights(result.weights_a, "weights_a");
+  read_weights(result.weights_b, "weights_b");
+}
+
+void Parser::read_motion(MotionParts::Motion& motion, const char* word) {
+  const std::string expected = "'" + std::string(word) + "', alone on its line";
+  require_line(expected.c_str());
+  demand(1, expected.c_str());
+  if (fields_[0] != word) throw wrong(expected);
+  for (MotionParts::Quaternion& turn : motion.turns) {
+    row(4, "a quaternion: four rational numbers");
+    turn = {rational(fields_[0]), point(1)};
+  }
+  for (RationalPoint& place : motion.places) {
+    row(3, "a place: three rational numbers");
+    place = point(0);
+  }
+  advance();
+}
+
+void Parser::read_piece_of_motion(MotionParts& parts) {
+  using Kind = MotionParts::Piece::Kind;
+  constexpr const char* expected = "a piece: its end; 'a' or 'b' and three integers, 'ab' and six, or 'near' and a rational";
+  require_line(expected);
+  const std::string_view word = fields_.size() < 2 ? "" : fields_[1];
+  const bool edges = word == "ab", near = word == "near";
+  if (!edges && !near && word != "a" && word != "b") throw wrong(expected);
+  demand(near ? 3 : edges ? 8 : 5, expected);
+  count_numbers(fields_.size() - 1);
+  MotionParts::Piece piece{near ? Kind::near : edges ? Kind::of_edges : word == "a" ? Kind::of_a : Kind::of_b,
+                           lines_->number(), rational(fields_[0]), {}, {}, {}, {}};
+  const auto vector = [this](std::size_t k) -> Vector {
+    return {integer(fields_[k], expected), integer(fields_[k + 1], expected), integer(fields_[k + 2], expected)};
+  };
+  if (near) piece.delta = rational(fields_[2]);
+  else piece.n = vector(2);
+  if (edges) piece.g = vector(5);
+  advance();
+  if (near) {
+    read_weights(piece.weights[0], "weights_a");
+    read_weights(piece.weights[1], "weights_b");
+  }
+  parts.pieces.push_back(std::move(piece));
 }
 
 }  // namespace fathom_check

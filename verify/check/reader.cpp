@@ -31,6 +31,18 @@ std::string corners_of_patches(const std::vector<List>& lists) {
   return result;
 }
 
+/// "(1/4,1/2):1/8+..": between which times nothing is shown, and the distance at the later one.
+std::string near_pieces(const std::vector<MotionParts::Piece>& pieces) {
+  std::string result;
+  Rational begin;
+  for (const MotionParts::Piece& piece : pieces) {
+    if (piece.kind == MotionParts::Piece::Kind::near)
+      result += (result.empty() ? "(" : "+(") + text(begin) + "," + text(piece.end) + "):" + text(piece.delta);
+    begin = piece.end;
+  }
+  return result;
+}
+
 /// For a certificate that has passed every check.
 Verdict verified(const Certificate& c) {
   Verdict verdict;
@@ -42,7 +54,11 @@ Verdict verified(const Certificate& c) {
   const auto triangles = [](const Body& body) {
     return body.core == Body::Core::solid ? std::to_string(body.solid.mesh.items.size()) : "-";
   };
-  if (c.claim == Claim::solid) {
+  if (c.format == 6) {
+    if (!c.of_motions.pieces.empty()) verdict.until = text(c.of_motions.pieces.back().end);
+    if (c.claim == Claim::contact) verdict.meeting = text(c.low);
+    verdict.near = near_pieces(c.of_motions.pieces);
+  } else if (c.claim == Claim::solid) {
     verdict.triangles = triangles(c.a);
     verdict.pieces = pieces(c.a);
   } else if (is_of_unions(c)) {
@@ -171,7 +187,10 @@ std::string verdict_line(const Verdict& v, std::string_view name) {
   std::string line = "s VERIFIED " + v.status;
   const std::string triangles = v.triangles.empty() ? "" : " triangles=" + v.triangles;
   const bool solid = v.status == "solid";
-  if (solid) {
+  if (v.format == 6) {
+    for (const auto& [word, said] : {std::pair{" until=", &v.until}, {" at=", &v.meeting}, {" near=", &v.near}})
+      if (!said->empty()) line += word + *said;
+  } else if (solid) {
     line += triangles;
   } else if (v.at_least.empty()) {
     line += what + ("=" + v.depth_squared + v.distance_squared + v.signed_depth);

@@ -179,6 +179,7 @@ void compare(const Result& result, const Certificate& c) {
     if (!right) throw refused(c.claim_line, fault);
   };
   demand(c.claim != Claim::solid, "a solid is no result");
+  demand(c.format != 6, "a result of bodies at rest, of a certificate of bodies in motion");
   demand(!result.id || c.id.empty() || unescaped(c.id) == *result.id,
          "the result's id is another than the certificate's");
   demand(!result.status || *result.status == status(c), "the result's status is another than the certificate's");

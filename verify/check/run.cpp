@@ -105,6 +105,14 @@ void patches(std::ostream& out, const Certificate& c) {
     out << "c rate" << text(rate.v) << text(rate.w) << ' ' << rate.sign.value() << ' ' << text(rate.root) << '\n';
 }
 
+void motions(std::ostream& out, const MotionParts& parts) {
+  for (const auto& [name, motion] : {std::pair{"a", &parts.motions[0]}, std::pair{"b", &parts.motions[1]}}) {
+    out << "c motion_" << name << '\n';
+    for (const MotionParts::Quaternion& turn : motion->turns) out << "c " << text(turn.r) << text(turn.v) << '\n';
+    for (const RationalPoint& place : motion->places) out << 'c' << text(place) << '\n';
+  }
+}
+
 /// The id, the bodies and the claim as they were read, in lines that begin with "c ".
 std::string echo(const Certificate& c) {
   std::ostringstream out;
@@ -114,14 +122,17 @@ std::string echo(const Certificate& c) {
     core(out, name, *body, c.raising.has_value());
     if (body->radius.num.sign() != 0) out << "c radius_" << name << ' ' << text(body->radius) << '\n';
   }
+  if (c.format == 6) motions(out, c.of_motions);
   out << "c claim ";
   switch (c.claim) {
     case Claim::depth: out << "depth " << text(c.low) << '\n'; break;
     case Claim::bounds: out << "bounds " << text(c.low) << ' ' << text(c.high) << '\n'; break;
     case Claim::solid: out << "solid\n"; break;
+    case Claim::grazing: out << "grazing\n"; break;
+    case Claim::contact: out << "contact " << text(c.low) << '\n'; break;
     case Claim::touching: out << "touching\n"; break;
     case Claim::disjoint: out << "disjoint\n"; break;
-    case Claim::apart: out << "apart " << text(c.low) << '\n'; break;
+    case Claim::apart: out << "apart" << (c.format == 6 ? "" : " " + text(c.low)) << '\n'; break;
     case Claim::signed_bounds: out << "signed_bounds " << text(c.low) << ' ' << text(c.high) << '\n'; break;
   }
   patches(out, c);
@@ -328,9 +339,9 @@ constexpr int usage_error = 2;
 // In lines of 80 columns.
 constexpr std::string_view about =
     " [OPTIONS] FILE...\n"
-    "Checks certificates of how deep two bodies lie in each other, and of convex\n"
-    "pieces that tile a mesh, exactly; - is standard input. The format and what\n"
-    "acceptance proves: FORMAT.md.\n"
+    "Checks certificates of how deep two bodies lie in each other, of when moving\n"
+    "bodies meet, and of convex pieces that tile a mesh, exactly; - is standard\n"
+    "input. The format and what acceptance proves: FORMAT.md.\n"
     "\n";
 constexpr std::string_view answers =
     "\n"

@@ -163,14 +163,15 @@ let footer_at r expected counts =
 
 let footer r counts = advance r; footer_at r "end and the five counts again" counts
 
-(* the first line: 1 to 5 *)
+(* the first line: 1 to 6 *)
 let format_of r =
   begin_certificate r;
-  let f = fields r "fathom-certificate and a format: 1 to 5" in
+  let f = fields r "fathom-certificate and a format: 1 to 6" in
   literal f "fathom-certificate ";
   let format =
     match f.s with
-    | "fathom-certificate 2" -> 2 | "fathom-certificate 3" -> 3 | "fathom-certificate 4" -> 4 | "fathom-certificate 5" -> 5 | _ -> 1 in
+    | "fathom-certificate 2" -> 2 | "fathom-certificate 3" -> 3 | "fathom-certificate 4" -> 4 | "fathom-certificate 5" -> 5
+    | "fathom-certificate 6" -> 6 | _ -> 1 in
   literal f (string_of_int format);
   finish f;
   format

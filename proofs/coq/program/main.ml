@@ -56,6 +56,14 @@ let union_words (s : Proved.union_statement) =
 let tiling_words (s : Proved.tiling_statement) =
   Printf.sprintf "solid triangles=%s pieces=%s" (Z.to_string s.triangles_told) (Z.to_string s.pieces_told)
 
+(* likewise of format 6 *)
+let impact_words (s : Proved.impact_statement) =
+  let said word = function Some t -> word ^ number t | None -> "" in
+  let near ((i, j), d) = Printf.sprintf "(%s,%s):%s" (number i) (number j) (number d) in
+  (match s.meet_at, s.near_in with Some _, _ -> "contact" | None, [] -> "apart" | None, _ -> "grazing")
+  ^ said " until=" s.until ^ said " at=" s.meet_at
+  ^ if s.near_in = [] then "" else " near=" ^ String.concat "+" (Proved.each near s.near_in)
+
 let refused name line reason = verdict 1 (Printf.sprintf "s REFUSED %s:%d: %s" name line reason)
 let malformed name line reason = verdict 2 (Printf.sprintf "s MALFORMED %s:%d: %s" name line reason)
 
@@ -154,12 +162,26 @@ let judge_tiling ~width name (g : Tiling_grammar.t) =
       let line, reason = Tiling_prepare.reason g tiles in
       refused name line reason
 
+let judge_impact ~width name (g : Impact_grammar.t) =
+  let units = Impact_prepare.within g in
+  match if width then raise (Prepare.Refused (g.a.line, "bodies in motion, which have no width")) else Impact_prepare.claim units g with
+  | exception Prepare.Refused (line, reason) -> refused name line reason
+  | claim ->
+    let a = Array.to_list g.a.items and b = Array.to_list g.b.items in
+    let of_a, of_b = g.motions in
+    match Proved.impact_verdict units.of_points units.of_turns a b of_a of_b claim with
+    | Some statement -> verdict 0 (Printf.sprintf "s VERIFIED %s %s" (impact_words statement) name)
+    | None ->
+      let line, reason = Impact_prepare.reason units g in
+      refused name line reason
+
 (* of any format, its last line and its judge *)
 let read ~width r name =
   match Grammar.format_of r with
   | 1 -> let g = Grammar.certificate r name in (g.end_line, fun () -> judge ~width !name g)
   | 2 -> let g = Signed_grammar.certificate r name in (g.end_line, fun () -> judge_signed ~width !name g)
   | 4 -> let g = Patch_grammar.certificate r name in (g.signed.end_line, fun () -> judge_patched ~width !name g)
+  | 6 -> let g = Impact_grammar.certificate r name in (g.end_line, fun () -> judge_impact ~width !name g)
   | 5 -> let g = Tiling_grammar.certificate r name in (g.end_line, fun () -> judge_tiling ~width !name g)
   | _ -> let g = Union_grammar.certificate r name in (g.end_line, fun () -> judge_union ~width !name g)
 
