@@ -162,6 +162,14 @@ constexpr Example ray_examples[] = {
      "about these points; one JSON object, with the proof"},
 };
 
+constexpr Example impact_examples[] = {
+    {"fathom impact --from \"xyz=0,0,4\" --to \"xyz=0,0,0 quat=1,1/2,0,0\" a.off b.stl",
+     "A tips over while it falls: when does it meet B, within 2^-40 of the motion?"},
+    {"fathom impact --from \"xyz=0,0,4\" --to \"xyz=0,0,0\" --certificate impact.cert a.off b.stl",
+     "the proof, for fathom check: planes that separate them until then"},
+    {"fathom impact --json cases.jsonl", "for every case of a stream, by its field \"motion\""},
+};
+
 constexpr Example metric_examples[] = {
     {"fathom metric --ball q.off a.off b.stl",
      "the depth where lengths are measured with the unit ball q.off, exactly"},
@@ -333,6 +341,9 @@ constexpr CommandHelp commands[] = {
      approx_examples, usual_exits, usual_notes},
     {"ray", "Exact depth of two bodies in one direction, or their growth distance.",
      "fathom ray --direction X,Y,Z | --growth [OPTIONS] A B | CASES.jsonl | -", ray_examples, usual_exits, usual_notes},
+    {"impact", "When two bodies that turn and move meet first.",
+     "fathom impact --from POSE --to POSE [--b-from POSE --b-to POSE] [OPTIONS] A B | CASES.jsonl | -", impact_examples,
+     usual_exits, usual_notes},
     {"metric", "Exact depth in a polyhedral norm or gauge.", "fathom metric --ball Q [OPTIONS] A B | CASES.jsonl | -",
      metric_examples, usual_exits, usual_notes},
     {"study", "What is degenerate about two bodies.", "fathom study [OPTIONS] A B | CASES.jsonl | - | --sweep FAMILY",

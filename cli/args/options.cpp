@@ -33,11 +33,11 @@ Option file(std::string commands, std::string names, std::string value, FileUse 
 
 /// The commands on two bodies or a stream; those among them that answer streams with several
 /// threads; and all commands that place bodies by poses.
-constexpr const char *on_bodies = "depth,width,approx,ray,metric,study,stages,explain",
-                     *on_streams = "depth,width,approx,ray,metric,study,stages",
-                     *with_bodies = "depth,width,approx,ray,metric,study,stages,explain,cases",
-                     *with_meshes = "depth,width,approx,ray,metric,study,stages,explain,cases,solid,robot",
-                     *with_robots = "depth,width,approx,ray,metric,study,stages,explain,cases,robot",
+constexpr const char *on_bodies = "depth,width,approx,ray,metric,impact,study,stages,explain",
+                     *on_streams = "depth,width,approx,ray,metric,impact,study,stages",
+                     *with_bodies = "depth,width,approx,ray,metric,impact,study,stages,explain,cases",
+                     *with_meshes = "depth,width,approx,ray,metric,impact,study,stages,explain,cases,solid,robot",
+                     *with_robots = "depth,width,approx,ray,metric,impact,study,stages,explain,cases,robot",
                      *of_two = "depth,approx,ray,metric,study,stages,explain,cases";
 
 // Meanings that options of two commands share.
@@ -99,6 +99,29 @@ std::vector<Option> make_table() {
       {"ray", "--center-b", "X,Y,Z", "the same for B", {wrong_point}},
       file("metric", "--ball", "Q", FileUse::read,
            "the unit ball: a mesh with O inside its hull. Symmetric about O it makes a norm, else a gauge"),
+      file("impact", "--from", "POSE", FileUse::read,
+           "where A is at t = 0, exactly: \"xyz=X,Y,Z quat=W,X,Y,Z\" (or xyzw=X,Y,Z,W, or rpy=ROLL,PITCH,YAWdeg or "
+           "rad), "
+           "or @FILE with it. Quaternions are not normalised: A turns by (1 - t) q0 + t q1, the shorter way"),
+      file("impact", "--to", "POSE", FileUse::read, "where A is at t = 1"),
+      file("impact", "--b-from", "POSE", FileUse::read, "where B is at t = 0; at rest as it is given unless given"),
+      file("impact", "--b-to", "POSE", FileUse::read, "where B is at t = 1; at rest unless given"),
+      {"impact",
+       "--bits",
+       "K",
+       "the first contact is found within 2^-K, on the grid of its multiples; 40 unless given, at most 1000",
+       {wrong_integer<1, 1000>}},
+      {"impact",
+       "--delta",
+       "LENGTH",
+       "bodies that come so near for 2^-K, and cannot be shown to be apart, graze each other; 2^-K of the extent "
+       "unless "
+       "given",
+       {wrong_tolerance}},
+      flag("impact", "--json", "one JSON object per line, schema fathom/impact/1"),
+      file("impact", "--certificate", "FILE", FileUse::placed,
+           "write the proof to FILE; for a stream: a directory, one file for each case"),
+
       flag("approx", "--json", "one JSON object per line, schema fathom/result/2"),
       flag("ray", "--json", "one JSON object per line, schema fathom/ray/1; with --growth fathom/growth/1"),
       flag("metric", "--json", "one JSON object per line, schema fathom/metric/1"),
@@ -173,7 +196,7 @@ std::vector<Option> make_table() {
            "draw the bodies and the way out as SVG to FILE; for a stream: a directory, one file for each case; with "
            "--along: the curve"),
       flag("depth,width", "--counters", "add what the run did, in counts"),
-      flag("depth,width,approx,ray,metric,solid,robot", "--exact",
+      flag("depth,width,approx,ray,metric,impact,solid,robot", "--exact",
            "text: the exact numbers, as fractions in full and directions as integers, where else the nearest decimals "
            "stand"),
       {"approx,ray", "--digits", "N", "add an enclosure of the length to N significant digits", {wrong_digits}},
@@ -227,7 +250,7 @@ std::vector<Option> make_table() {
            "each body is what its closed mesh goes around, convex or not, with cavities: cut into convex pieces, "
            "exactly. A mesh that is not closed, or has a part inside out, is an error. With depth --json one object, "
            "schema fathom/union/1"),
-      {"depth,study,stages,explain", "--case", "ID", "one case of a stream alone: the first with this id"},
+      {"depth,impact,study,stages,explain", "--case", "ID", "one case of a stream alone: the first with this id"},
       flag("study", "--all", "list every coincidence, not the first 20 of a kind (in tables: the first)"),
       flag("study", "--json", "one JSON object per line, schema fathom/study/1"),
       flag("study", "--csv", "a header, then one row of counts per case, or per size"),

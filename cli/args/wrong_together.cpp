@@ -224,10 +224,21 @@ std::string wrong_ray(const Given& given) {
   return given.has("--direction") ? "" : "ray expects --direction X,Y,Z: where A is to move; or --growth";
 }
 
+std::string wrong_impact(const Given& given) {
+  const std::string pose = first_of(given, {"--from", "--to", "--b-from", "--b-to"});
+  if (given.inputs().size() == 1)
+    return pose.empty() ? "" : pose + " moves bodies, found a stream of cases, which have motions of their own";
+  if (pose.empty()) return "impact expects --from POSE and --to POSE: how A moves; or --b-from and --b-to";
+  for (const auto& [from, to] : {std::pair("--from", "--to"), std::pair("--b-from", "--b-to")})
+    if (given.has(to) && !given.has(from)) return fmt::format("{} expects {} POSE: where the motion begins", to, from);
+  return "";
+}
+
 /// Checks approx, ray, metric, and width with --delta. `asks_exact`: an option for exact answers
 /// was given.
 std::string wrong_approximation(const Given& given, bool asks_exact) {
   if (given.command == "ray") return wrong_ray(given);
+  if (given.command == "impact") return wrong_impact(given);
   if (given.command == "metric" && !given.has("--ball")) return "metric expects --ball Q: a mesh, the unit ball";
   if (given.command != "width" || !given.has("--delta")) return "";
   if (asks_exact)
@@ -333,6 +344,10 @@ std::vector<std::string> files_in(const std::string& folder) {
   }
 }
 
+bool is_motion(const std::string& name) {
+  return name == "--from" || name == "--to" || name == "--b-from" || name == "--b-to";
+}
+
 std::vector<NamedFile> files_of(const Given& given) {
   std::vector<NamedFile> found;
   for (const GivenOption& option : given.options) {
@@ -342,7 +357,7 @@ std::vector<NamedFile> files_of(const Given& given) {
     const std::string name = is_input ? "" : option.name;
     for (std::string value : option.values) {
       if (is_input) value = files::is_robot_text(value) ? files::file_of_robot(value) : value;
-      if (name.starts_with("--pose")) {
+      if (name.starts_with("--pose") || is_motion(name)) {
         if (!value.starts_with('@')) continue;
         value.erase(0, 1);
       }

@@ -27,6 +27,7 @@ ExitCode run_width(const Given& given);
 ExitCode run_approx(const Given& given);
 ExitCode run_ray(const Given& given);
 ExitCode run_metric(const Given& given);
+ExitCode run_impact(const Given& given);
 ExitCode run_study(const Given& given);
 /// study --sweep
 ExitCode run_sweep(const Given& given);

@@ -13,11 +13,11 @@ namespace fathom::cli {
 ExitCode run_command(const Given& given) {
   using Run = ExitCode (*)(const Given&);
   static constexpr std::pair<std::string_view, Run> commands[] = {
-      {"depth", run_depth},       {"width", run_width},    {"approx", run_approx}, {"ray", run_ray},
-      {"metric", run_metric},     {"study", run_study},    {"stages", run_stages}, {"explain", run_explain},
-      {"solid", run_solid},       {"robot", run_robot},    {"cases", run_cases},   {"certify", run_certify},
-      {"certify diff", run_diff}, {"check", run_check},    {"golden", run_golden}, {"help", run_help},
-      {"man", run_help},          {"completion", run_help}};
+      {"depth", run_depth},     {"width", run_width},       {"approx", run_approx},  {"ray", run_ray},
+      {"metric", run_metric},   {"impact", run_impact},     {"study", run_study},    {"stages", run_stages},
+      {"explain", run_explain}, {"solid", run_solid},       {"robot", run_robot},    {"cases", run_cases},
+      {"certify", run_certify}, {"certify diff", run_diff}, {"check", run_check},    {"golden", run_golden},
+      {"help", run_help},       {"man", run_help},          {"completion", run_help}};
   return std::ranges::find(commands, std::string_view(given.command), &std::pair<std::string_view, Run>::first)
       ->second(given);
 }

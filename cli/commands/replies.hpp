@@ -81,9 +81,10 @@ void require_depth(const std::string& id, const Shape& a, const Shape& b);
 /// Returns the one case of the request: that of its meshes in their poses; or of a stream the first
 /// case with the id `case_id`, or its only case if there is no `case_id`. Throws InputError with
 /// the ids of the stream; and, for a union of pieces or a shape, with the reason to refuse it, if
-/// there is one.
+/// there is one. Sets `text`, if it is given, to that of a case of a stream.
 Case asked_case(const BodiesRequest& request, const std::string& refuses_unions = "",
-                const std::string& refuses_shapes = "", const std::string& refuses_plane = no_plane);
+                const std::string& refuses_shapes = "", const std::string& refuses_plane = no_plane,
+                std::string* text = nullptr);
 
 /// Returns the case with the facts about its bodies. Throws InputError if the request requires
 /// convex meshes and one is not convex.

@@ -203,7 +203,6 @@ void answer_case(StreamedCase& streamed, const std::string& name, const StreamWo
   streamed.id = std::to_string(line);
   try {
     const CaseItem item = files::read_case(streamed.text, name);
-    std::string().swap(streamed.text.text);
     streamed.id = item.id;
     if (!item.ok()) return lose(item.error(), bad_input);
     if (const std::string fault =
@@ -212,7 +211,8 @@ void answer_case(StreamedCase& streamed, const std::string& name, const StreamWo
       return lose({name, line, fault}, bad_input);
     for (const CaseNote& note : item.notes)
       streamed.notes.push_back({note.kind == CaseNote::field ? NoteKind::field : NoteKind::pose, note.text});
-    const AskedCase asked(item.value(), work.one_body);
+    AskedCase asked(item.value(), work.one_body);
+    asked.text = streamed.text.text;
     if (const std::string fault = wrong_meshes(asked.bodies.hull, work.require_convex); !fault.empty())
       return lose({name, line, fault}, bad_input);
     if (std::string dents = shapes::dents_text(asked.bodies.hull); !dents.empty())
@@ -223,6 +223,7 @@ void answer_case(StreamedCase& streamed, const std::string& name, const StreamWo
                              may_have_inner_points(item.value(), work.one_body);
     if (streamed.perhaps_inner && !hull_told) streamed.hull_note = hull_note(item.value(), work.one_body);
     streamed.reply = work.answer(asked, monitor, workspace);
+    std::string().swap(streamed.text.text);
   } catch (const Interrupted&) {
     throw;
   } catch (const InputError& error) {

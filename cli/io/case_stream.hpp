@@ -73,6 +73,7 @@ std::optional<std::size_t> cases_in(const std::string& path);
 struct AskedCase {
   const Case& input;
   output::AboutBodies bodies;
+  std::string_view text = {};  ///< of the case, for fields that Case has not; empty if it is none of JSON
 
   AskedCase(const Case& asked, bool one_body) : input(asked), bodies(output::about_bodies(asked, one_body)) {}
   operator const Case&() const { return input; }  // NOLINT(google-explicit-constructor): most commands need no more

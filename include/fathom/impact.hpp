@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -101,6 +102,11 @@ struct Impact {
   std::uint64_t questions = 0;                ///< how often the search asked where the bodies are apart at one time
 };
 
+/// Thrown if a motion needs more pieces of time than can be listed.
+struct ImpactTooLong : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// What is asked for.
 struct ImpactOptions {
   unsigned bits = 40;  ///< t0 and t1 are multiples of 2^-bits next to each other; 1 to 1000
@@ -113,8 +119,8 @@ struct ImpactOptions {
 /// Returns when two convex polytopes meet first, as closed bodies. Exact: t1 is the least multiple
 /// of 2^-bits not before the first contact, however it was found, unless the bodies are apart there
 /// again. Throws std::invalid_argument if a body is empty, a number is not in lowest terms, a
-/// quaternion is O at some t in [0, 1] or an option is out of its range; std::runtime_error if the
-/// motion needs more than 100,000 pieces; and Interrupted.
+/// quaternion is O at some t in [0, 1] or an option is out of its range; ImpactTooLong if
+/// the motion needs more than 100,000 pieces; and Interrupted.
 Impact first_contact(std::span<const Point> a, const RigidMotion& of_a, std::span<const Point> b,
                      const RigidMotion& of_b, const ImpactOptions& options = {});
 

@@ -85,6 +85,7 @@ class Reader {
 
   Body body(const JsonValue& json, const std::string& path, bool rounded);
   Twist twist(const JsonValue& json, const std::string& path);
+  std::optional<GivenPose> pose(const JsonValue& value, const std::string& path);
 
  private:
   void report(const std::string& path, const std::string& expected, const std::string& instead) {
@@ -98,7 +99,6 @@ class Reader {
   std::vector<mpq_class> numbers(const JsonValue& value, std::size_t count, const std::string& path);
   std::vector<Point> points(const JsonValue& value, const std::string& path);
   Axis axis(const JsonValue& value, const std::string& path);
-  std::optional<GivenPose> pose(const JsonValue& value, const std::string& path);
   std::optional<GivenPose> plane_pose(const JsonValue& value, const std::string& path);
   std::vector<mpq_class> euler(const JsonValue& value, const std::string& path, std::string& wrong);
   GivenPose pose_of_words(const JsonValue& value, const std::string& path, std::string& wrong);
@@ -478,6 +478,47 @@ std::string read_faces(const JsonValue& faces, const std::string& path, Body& bo
   }
   body.faces = faces_of(std::move(read));
   return "";
+}
+
+RigidMotion motion_between(const std::optional<GivenPose>& from, const std::optional<GivenPose>& to,
+                           std::string& fault) {
+  if ((from && from->matrix) || (to && to->matrix))
+    fault = "expected a quaternion or angles, and a translation, found a matrix: it tells no quaternion to turn by";
+  const GivenPose start = from ? *from : to.value_or(GivenPose()), end = to ? *to : start;
+  RigidMotion motion{start.turn, end.turn, start.place, end.place};
+  const Quaternion &p = motion.q0, &q = motion.q1;
+  if (p.w * q.w + p.x * q.x + p.y * q.y + p.z * q.z < 0) motion.q1 = {-q.w, -q.x, -q.y, -q.z};
+  return motion;
+}
+
+MotionsOfCase read_motions(std::string_view text, std::string& fault) {
+  const text::JsonRead read = text::read_json(text);
+  const JsonValue& document = read.value;
+  MotionsOfCase motions;
+  const auto count =
+      std::ranges::count_if(document.fields(), [](const auto& field) { return field.first == "motion"; });
+  const JsonValue* const motion = given(document, "motion");
+  if (!motion || count > 1 || !motion->is_object()) {
+    fault = count > 1 ? "expected one field 'motion', found two"
+                      : "motion: expected an object with 'a' or 'b', found " + (motion ? found(*motion) : "none");
+    return motions;
+  }
+  const JsonValue *const of_a = given(*motion, "a"), *const of_b = given(*motion, "b");
+  if (!of_a && !of_b) fault = "motion: expected a field 'a' or 'b', found none";
+  Reader reader;
+  for (const auto& [ends, result] : {std::pair(of_a, &motions.a), std::pair(of_b, &motions.b)}) {
+    const std::string path = ends == of_a ? "motion.a" : "motion.b";
+    if (!ends || !fault.empty()) continue;
+    const JsonValue *const from = given(*ends, "from"), *const to = given(*ends, "to");
+    if (!from || !to) {
+      fault = path + ": expected poses 'from' and 'to', found " + found(*ends);
+      continue;
+    }
+    const std::optional<GivenPose> first = reader.pose(*from, path + ".from"), last = reader.pose(*to, path + ".to");
+    if ((fault = reader.fault).empty()) *result = motion_between(first, last, fault);
+    if (!fault.empty() && !fault.starts_with(path)) fault = path + ": " + fault;
+  }
+  return motions;
 }
 
 std::string read_motion(const JsonValue& twist, Motion& motion) {

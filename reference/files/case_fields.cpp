@@ -17,8 +17,8 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-constexpr std::array<std::string_view, 10> of_cases = {"schema", "id",    "a",      "b",       "pose_rounding",
-                                                       "twist",  "flags", "source", "comment", "dimension"};
+constexpr std::array<std::string_view, 11> of_cases = {
+    "schema", "id", "a", "b", "pose_rounding", "twist", "flags", "source", "comment", "dimension", "motion"};
 constexpr std::array<std::string_view, 8> of_bodies = {"vertices", "faces",         "pose",   "shape",
                                                        "margin",   "pose_rounding", "pieces", "solid"};
 constexpr std::array<std::string_view, 8> of_poses = {"translation", "quaternion", "xyz",   "quat",

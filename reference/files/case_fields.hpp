@@ -12,6 +12,7 @@
 
 #include "fathom/body.hpp"
 #include "fathom/files.hpp"
+#include "fathom/impact.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/text/json_value.hpp"
 
@@ -110,6 +111,21 @@ ShapesOfCase read_shapes(const text::JsonValue& document, bool a, bool b, bool r
 /// Reads faces, arrays of indices of points, into `body`, whose points were read. `path` names the
 /// field. Returns a sentence on what went wrong, or "".
 std::string read_faces(const text::JsonValue& faces, const std::string& path, Body& body);
+
+/// The motions of both bodies of a case: fields of it that only one question reads.
+struct MotionsOfCase {
+  RigidMotion a, b;
+};
+
+/// The motion from one pose to another the shorter way; at rest in one of them if the other is not
+/// given, or where the points stand. A pose must not be a matrix, which tells no quaternion.
+/// Returns a sentence in `fault` if it is.
+RigidMotion motion_between(const std::optional<GivenPose>& from, const std::optional<GivenPose>& to,
+                           std::string& fault);
+
+/// Reads the object "motion" of a case, whose text read_case could read. Returns a sentence in
+/// `fault` on what went wrong: there may be none.
+MotionsOfCase read_motions(std::string_view text, std::string& fault);
 
 /// Reads the object "twist" of a case. Returns a sentence on what went wrong, or "".
 std::string read_motion(const text::JsonValue& twist, Motion& motion);

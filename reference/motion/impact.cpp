@@ -50,11 +50,12 @@ double guessed_root(const Over<mpz_class>& f) {
     const double mantissa = mpz_get_d_2exp(&exponent, v.get_mpz_t());
     c.push_back(std::ldexp(mantissa, static_cast<int>(std::max(exponent - order, -2000L))));
   }
-  const auto value = [&](double x) {
-    std::vector<double> b = c;  // a sum of (1-x)^(n-i) x^i, by Horner's rule from both ends
+  const auto value = [&](double x) {  // Horner's rule, in x / (1-x) times powers of 1-x
     double sum = 0, power = 1;
-    for (std::size_t i = 0; i < b.size(); ++i, power *= x)
-      sum += b[i] * power * std::pow(1 - x, static_cast<double>(b.size() - 1 - i));
+    for (const double v : c) {
+      sum = sum * (1 - x) + v * power;
+      power *= x;
+    }
     return sum;
   };
   constexpr int samples = 16;
@@ -87,7 +88,7 @@ class ImpactSearch {
     while (now.t < 1) {
       context_.report("impact", now.t.get_d());
       if (impact_.pieces.size() >= most_pieces)
-        throw std::runtime_error("the motion needs more than 100000 pieces of time until " + now.t.get_str());
+        throw ImpactTooLong("the motion needs more than 100000 pieces of time until " + now.t.get_str());
       std::optional<Moment> next = step(now);
       if (!next && !(next = cross_cell(now))) return std::move(impact_);
       now = *std::move(next);
@@ -160,6 +161,7 @@ class ImpactSearch {
   std::optional<Reach> farthest(const std::vector<MovingPlane>& planes, const mpq_class& s) const {
     std::optional<Reach> best;
     for (const MovingPlane& plane : planes) {
+      if (best && (best->until == 1 || !pair_.holding(plane, s, best->until).holds)) continue;
       std::optional<Reach> found = reach(plane, s, 1, false);
       if (found && (!best || found->until > best->until)) best = std::move(found);
     }
@@ -209,7 +211,7 @@ class ImpactSearch {
     const Moment* from = &now;
     while (from->t < next.t) {
       if (impact_.pieces.size() >= most_pieces)
-        throw std::runtime_error("the motion needs more than 100000 pieces of time");
+        throw ImpactTooLong("the motion needs more than 100000 pieces of time");
       mpq_class best = from->t;
       std::optional<MovingPlane> with;
       for (const MovingPlane& plane : pair_.planes(from->t, from->placed, from->normal()))

@@ -11,7 +11,7 @@ ROOT = pathlib.Path(os.environ["FATHOM_ROOT"])
 FILES = [path for path in sorted(ROOT.glob("*/*/*.schema.json")) if "data" not in path.parts]
 SCHEMAS = {path.name: json.loads(path.read_text()) for path in FILES}
 NAMES = {f"fathom/{name}": name.split("/")[0] for name in (
-    "result/2", "case/1", "ray/1", "growth/1", "metric/1", "solid/1", "robot/1", "study/1", "along/1", "union/1", "diff/1", "stages/1", "union_stages/1", "verdict/1",
+    "result/2", "case/1", "ray/1", "growth/1", "metric/1", "impact/1", "solid/1", "robot/1", "study/1", "along/1", "union/1", "diff/1", "stages/1", "union_stages/1", "verdict/1",
     "claim/1")}
 # Judged by the tests of golden data.
 OTHERS = {f"fathom/{name}" for name in (

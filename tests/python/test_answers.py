@@ -176,6 +176,26 @@ def test_real_cases_have_the_stated_answers(name, count):
     assert len(lines) == count
 
 
+def test_impact():
+    cube = fathom.box((1, 1, 1))
+    fall = ("xyz=0,0,4", fathom.pose(quaternion=(1, "1/2", 0, 0)))
+    found = fathom.impact(cube, cube, fall, bits=30, certificate=True)
+    t0, t1 = found.times
+    lowest = [(3 - 4 * t) * (4 + t * t) - (4 - t * t) - 4 * t for t in (t0, t1)]  # above B, by its angle, times 4 + t^2
+    assert (found.status, found.normal, t1 - t0, lowest[0] > 0, lowest[1] <= 0) == ("contact", (0, 0, 1), Fraction(1, 2**30), True, True)
+    assert found.pieces == [{"until": t0, "plane": "face of B", "directions": ((0, 0, 1),)}]
+    assert found.points[0] == found.points[2] and sum(found.weights[0].values()) == 1
+    assert found.certificate.startswith("fathom-certificate 6\n")
+    assert fathom.impact(cube, cube, motion_b=("xyz=5,0,0", "xyz=3,0,0")).status == "apart"
+    assert fathom.impact(cube, cube, motion_b=("xyz=1,0,0", "xyz=3,0,0")).beginning == ("penetrating", 1)
+    with pytest.raises(ValueError, match="motion_a: expected two poses"):
+        fathom.impact(cube, cube, "xyz=0,0,1")
+    with pytest.raises(ValueError, match="found a matrix"):
+        fathom.impact(cube, cube, (np.eye(4), None))
+    with pytest.raises(ValueError, match="bits of a time"):
+        fathom.impact(cube, cube, fall, bits=0)
+
+
 def test_other_questions():
     box, other = fathom.box((1, 1, 1)), fathom.box((1, 1, 1)).moved(fathom.pose(translation=(1, 0, 0)))
     ray = fathom.ray(box, other, (-2, 0, 0))

@@ -49,14 +49,14 @@ from fathom._fathom import version as __version__
 from fathom._files import Case, Record, cases, family, golden
 from fathom._patches import Derivative, Gradient, OptimalCone, Patch, PatchCorner, VertexWeights
 from fathom._prepared import Prepared
-from fathom._questions import (Approx, Growth, Judgement, Metric, Ray, Study, approx, closer_than, growth, judge, metric, overlap, ray,
-                               study)
+from fathom._questions import (Approx, Growth, Impact, Judgement, Metric, Ray, Study, approx, closer_than, growth, impact, judge, metric,
+                               overlap, ray, study)
 from fathom._unions import PieceContact, UnionBounds, UnionDepth, UnionDistance, UnionOptimum, union_depth
 
 __all__ = ["Approx", "Body", "Case", "Checked", "Convexity", "Coverage", "Depth", "Depths", "Derivative", "Exact", "Gradient", "Growth",
-           "Judgement", "Metric", "NotConvexWarning", "OptimalCone", "Optimum", "Patch", "PatchCorner", "PieceContact", "Pose", "Prepared",
+           "Impact", "Judgement", "Metric", "NotConvexWarning", "OptimalCone", "Optimum", "Patch", "PatchCorner", "PieceContact", "Pose", "Prepared",
            "Ray", "Record", "Root", "Study", "UnionBounds", "UnionDepth", "UnionDistance", "UnionOptimum", "VertexWeights", "Width",
            "approx", "box", "capsule", "cases", "check", "closer_than", "cone", "convexity", "coverage", "cylinder", "depth", "depths",
-           "distance", "ellipsoid", "family", "frustum", "golden", "growth", "halfspace", "judge", "metric", "overlap", "plane", "pose",
-           "ray", "read", "read_mesh", "read_pieces", "solid", "sphere", "study", "tapered_capsule", "union", "union_depth", "width",
-           "__version__"]
+           "distance", "ellipsoid", "family", "frustum", "golden", "growth", "halfspace", "impact", "judge", "metric", "overlap", "plane",
+           "pose", "ray", "read", "read_mesh", "read_pieces", "solid", "sphere", "study", "tapered_capsule", "union", "union_depth",
+           "width", "__version__"]

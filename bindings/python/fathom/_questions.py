@@ -2,7 +2,7 @@
 """Other questions about two bodies: where they are; depths along a direction, in a metric, within a factor; growth; study; the judge."""
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import Any, Literal, NamedTuple, overload
 
@@ -104,6 +104,40 @@ def growth(a: BodyLike, b: BodyLike, center_a: Triple | None = None, center_b: T
     found = _fathom.growth(a, b, center_a, center_b, pose_a, pose_b)
     return Growth(found["status"], found["growth"], found["centers"], found.get("normal"), found.get("contact"), found.get("weights"),
                   found.get("witness"))
+
+
+class Impact(NamedTuple):
+    """When two bodies that turn and move meet first."""
+
+    status: str  #: "apart", "contact", "grazing" or "at the beginning"
+    pieces: list[dict[str, Any]]  #: of the time, each "until" its end: "plane" and "directions" that separate the bodies, or a "gap"
+    times: tuple[Fraction, Fraction] | None  #: t0 and t1 of a contact: apart up to t0; a point in common at t1 = t0 + 2**-bits
+    points: tuple[Any, Any, Any] | None  #: that point in the world, in the frame of A, in the frame of B; exact
+    normal: tuple[int, int, int] | None  #: from B to A, of the plane that separates the bodies at t0
+    contact: dict[str, Any] | None  #: the faces nearest to that plane
+    weights: tuple[dict[int, Fraction], dict[int, Fraction]] | None  #: shares of points of A, and of B, that combine to the point
+    beginning: tuple[str, Fraction] | None  #: status and squared depth at t = 0, if they meet there
+    certificate: str | None  #: if it was asked for
+
+
+def impact(a: BodyLike, b: BodyLike, motion_a: Sequence[PoseLike] | None = None, motion_b: Sequence[PoseLike] | None = None, *,
+           bits: int = 40, delta: Number | None = None, certificate: bool = False) -> Impact:
+    """Returns when two polytopes meet first while t goes from 0 to 1, with planes that separate them until then. Exact.
+
+    motion_a, motion_b  where a body is at t = 0 and at t = 1: two poses, by a quaternion or angles and a translation; at rest if None.
+                        The place is (1 - t) p0 + t p1, the rotation that of (1 - t) q0 + t q1, the shorter way
+    bits                t1 - t0 is 2**-bits, from 1 to 1000
+    delta               bodies that come so near, and cannot be shown to be apart, graze; 2**-bits of the extent if None
+    certificate         if True, adds the text of a certificate
+
+    >>> import fathom
+    >>> cube = fathom.box((1, 1, 1))
+    >>> fathom.impact(cube, cube, motion_a=("xyz=0,0,4", "xyz=0,0,0"), bits=3).times
+    (Fraction(3, 8), Fraction(1, 2))
+    """
+    found = _fathom.impact(a, b, motion_a, motion_b, bits, delta, certificate)
+    return Impact(found["status"], found["pieces"], found.get("times"), found.get("points"), found.get("normal"), found.get("contact"),
+                  found.get("weights"), found.get("beginning"), found.get("certificate"))
 
 
 class Metric(NamedTuple):

@@ -143,7 +143,7 @@ py::object rounded_point(const RoundedPoint& p, bool exact, unsigned dimension =
 /// stopped.
 std::shared_ptr<ToldManifold> manifold_told(PairAnswer& asked);
 
-/// Defines Manifold. Call it before bind_answers.
+/// Defines Manifold and impact. Call it before bind_answers.
 void bind_manifolds(py::module_& module);
 /// Defines Answer, depth, width, union_depth, check.
 void bind_answers(py::module_& module);

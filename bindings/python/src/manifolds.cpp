@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contact manifolds and one-sided derivatives of the signed depth as objects of Python.
+// Where bodies meet, as objects of Python: contact manifolds, one-sided derivatives of the signed
+// depth, and the first contact of bodies that move.
 #include <pybind11/stl.h>
 
 #include <array>
@@ -11,9 +12,13 @@
 #include <vector>
 
 #include "bindings/python/src/answers.hpp"
+#include "bindings/python/src/bodies.hpp"
 #include "bindings/python/src/numbers.hpp"
+#include "fathom/impact.hpp"
 #include "fathom/patch.hpp"
+#include "reference/files/case_fields.hpp"
 #include "reference/rounded/coordinates.hpp"
+#include "reference/solve/require_space.hpp"
 
 namespace fathom::python {
 namespace {
@@ -128,6 +133,70 @@ py::dict derivative_in_python(const ToldManifold& told, const py::object& v, con
                   "normal"_a = integers(rate.direction), "patch"_a = rate.patch, "corner"_a = rate.corner);
 }
 
+// ---- when bodies that move meet first ----
+
+/// Returns the motion between two poses, which may be None; at rest if there are none.
+RigidMotion motion_from(const py::object& poses, const char* name) {
+  if (poses.is_none()) return {};
+  if (!py::isinstance<py::sequence>(poses) || py::isinstance<py::str>(poses) || py::len(poses) != 2)
+    throw py::value_error(std::string(name) + ": expected two poses, where the body is at t = 0 and at t = 1");
+  const py::sequence ends = poses.cast<py::sequence>();
+  std::string fault;
+  RigidMotion motion =
+      files::motion_between(pose_from(py::object(ends[0]), name), pose_from(py::object(ends[1]), name), fault);
+  return fault.empty() ? motion : throw py::value_error(std::string(name) + ": " + fault);
+}
+
+py::list pieces_of(const Impact& impact) {
+  py::list pieces;
+  for (const ImpactPiece& piece : impact.pieces) {
+    py::dict entry("until"_a = fraction(piece.until));
+    if (piece.near) {
+      entry["gap"] = fraction(piece.near->gap);
+    } else {
+      const auto& [kind, first, second] = *piece.plane;
+      entry["plane"] = std::string(name(kind));
+      entry["directions"] = kind == MovingPlane::Kind::of_edges ? py::make_tuple(integers(first), integers(second))
+                                                                : py::make_tuple(integers(first));
+    }
+    pieces.append(entry);
+  }
+  return pieces;
+}
+
+py::dict impact(const py::object& a, const py::object& b, const py::object& motion_a, const py::object& motion_b,
+                unsigned bits, const py::object& delta, bool certificate) {
+  const Body body_a = body_from(a, py::none(), "a"), body_b = body_from(b, py::none(), "b");
+  solve::require_space(body_a, body_b, "impact");
+  warn_of_dents(body_a, "A");
+  warn_of_dents(body_b, "B");
+  const RigidMotion of_a = motion_from(motion_a, "motion_a"), of_b = motion_from(motion_b, "motion_b");
+  const std::vector<Point>&p = points_of(body_a, "a").exact(), &q = points_of(body_b, "b").exact();
+  ImpactOptions options;
+  options.bits = bits;
+  if (!delta.is_none()) options.delta = number_from(delta);
+  std::string text;
+  const Impact found = watched([&](Monitor& monitor) {
+    options.monitor = &monitor;
+    Impact impact = first_contact(p, of_a, q, of_b, options);
+    if (certificate) text = certificate_text(p, of_a, q, of_b, impact, {}, &monitor);
+    return impact;
+  });
+  py::dict result("status"_a = std::string(name(found.status)), "pieces"_a = pieces_of(found));
+  if (certificate) result["certificate"] = text;
+  if (found.beginning)
+    result["beginning"] =
+        py::make_tuple(std::string(name(found.beginning->status())), fraction(found.beginning->squared()));
+  if (!found.contact) return result;
+  const FirstContact& at = *found.contact;
+  result["times"] = py::make_tuple(fraction(at.t0), fraction(at.t1));
+  result["points"] = py::make_tuple(fractions(at.point), fractions(at.in_a), fractions(at.in_b));
+  result["normal"] = integers(at.normal);
+  result["contact"] = contact(&at.contact);
+  result["weights"] = py::make_tuple(weights(at.a), weights(at.b));
+  return result;
+}
+
 }  // namespace
 
 std::shared_ptr<ToldManifold> manifold_told(PairAnswer& asked) {
@@ -151,6 +220,8 @@ void bind_manifolds(py::module_& module) {
       .def_property_readonly("optimal_cone", cone_in_python)
       .def_property_readonly("left_out", left_out_in_python)
       .def("derivative", derivative_in_python, arg("v"), arg("w"), arg("v_b"), arg("w_b"));
+  module.def("impact", impact, arg("a"), arg("b"), arg("motion_a"), arg("motion_b"), arg("bits"), arg("delta"),
+             arg("certificate"));
 }
 
 }  // namespace fathom::python
