@@ -152,16 +152,15 @@ Json contact_json(const FirstContact& contact) {
 }
 
 Json piece_json(const ImpactPiece& piece) {
-  Json object = {{"until", exact_text(piece.until)}};
-  object["plane"] = piece.plane ? Json(name(piece.plane->kind)) : Json();
-  object["directions"] = Json();
+  Json directions;
   if (piece.plane) {
-    Json directions = Json::array({output::exact(piece.plane->first)});
+    directions = Json::array({output::exact(piece.plane->first)});
     if (piece.plane->kind == MovingPlane::Kind::of_edges) directions.push_back(output::exact(piece.plane->second));
-    object["directions"] = std::move(directions);
   }
-  object["gap"] = piece.near ? Json(exact_text(piece.near->gap)) : Json();
-  return object;
+  return {{"until", exact_text(piece.until)},
+          {"plane", piece.plane ? Json(name(piece.plane->kind)) : Json()},
+          {"directions", std::move(directions)},
+          {"gap", piece.near ? Json(exact_text(piece.near->gap)) : Json()}};
 }
 
 Json motion_json_of(const RigidMotion& motion) {
@@ -174,15 +173,16 @@ Json motion_json_of(const RigidMotion& motion) {
           {"p1", output::exact(motion.p1)}};
 }
 
+Json beginning_json(const Depth& depth) {
+  return {{"status", name(depth.status())}, {"depth", output::length(depth.squared(), std::nullopt)}};
+}
+
 /// Returns one line, without its newline, in ASCII for any id.
 std::string impact_json(const MovedCase& moved, const Impact& impact) {
   Json object = {{"schema", impact_schema}, {"id", moved.input.id}, {"status", name(impact.status)}};
   object["motion"] = {{"a", motion_json_of(moved.motions.a)}, {"b", motion_json_of(moved.motions.b)}};
   object["first_contact"] = impact.contact ? contact_json(*impact.contact) : Json();
-  object["beginning"] = Json();
-  if (impact.beginning)
-    object["beginning"] = {{"status", name(impact.beginning->status())},
-                           {"depth", output::length(impact.beginning->squared(), std::nullopt)}};
+  object["beginning"] = impact.beginning ? beginning_json(*impact.beginning) : Json();
   Json pieces = Json::array();
   for (const ImpactPiece& piece : impact.pieces) pieces.push_back(piece_json(piece));
   object["pieces"] = std::move(pieces);

@@ -495,8 +495,8 @@ MotionsOfCase read_motions(std::string_view text, std::string& fault) {
   const text::JsonRead read = text::read_json(text);
   const JsonValue& document = read.value;
   MotionsOfCase motions;
-  const auto count =
-      std::ranges::count_if(document.fields(), [](const auto& field) { return field.first == "motion"; });
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < document.items().size(); ++i) count += document.key(i) == "motion";
   const JsonValue* const motion = given(document, "motion");
   if (!motion || count > 1 || !motion->is_object()) {
     fault = count > 1 ? "expected one field 'motion', found two"
@@ -511,7 +511,7 @@ MotionsOfCase read_motions(std::string_view text, std::string& fault) {
     if (!ends || !fault.empty()) continue;
     const JsonValue *const from = given(*ends, "from"), *const to = given(*ends, "to");
     if (!from || !to) {
-      fault = path + ": expected poses 'from' and 'to', found " + found(*ends);
+      fault = path + (from ? ".to" : ".from") + ": expected a pose, found none";
       continue;
     }
     const std::optional<GivenPose> first = reader.pose(*from, path + ".from"), last = reader.pose(*to, path + ".to");

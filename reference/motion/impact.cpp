@@ -90,6 +90,7 @@ class ImpactSearch {
       if (impact_.pieces.size() >= most_pieces)
         throw ImpactTooLong("the motion needs more than 100000 pieces of time until " + now.t.get_str());
       std::optional<Moment> next = step(now);
+      if (impact_.contact) return std::move(impact_);
       if (!next && !(next = cross_cell(now))) return std::move(impact_);
       now = *std::move(next);
     }
@@ -112,10 +113,12 @@ class ImpactSearch {
     return moment;
   }
 
-  /// The greatest multiple of 2^-k of the grid in (low, t], for the least k for which there is one
-  /// above (low + t)/2; t > low is not below the next multiple.
+  /// A multiple of 2^-k in (low, t], for a small k: in the last eighth of it, or the greatest of the
+  /// grid.
   mpq_class short_time(const mpq_class& low, const mpq_class& t, bool exact) const {
-    mpz_class denominator = exact ? cell_.get_den() : mpz_class(1);
+    const long order = kernels::binary_order(t - low);
+    mpz_class denominator = mpz_class(1) << static_cast<unsigned long>(std::max(0L, -order));
+    if (exact || denominator > cell_.get_den()) denominator = cell_.get_den();
     for (;; denominator *= 2) {
       mpz_class floor;
       const mpz_class numerator = t.get_num() * denominator;
@@ -168,10 +171,17 @@ class ImpactSearch {
     return best;
   }
 
-  void add(const mpq_class& until, const MovingPlane& plane) { impact_.pieces.push_back({until, plane, {}}); }
+  /// Goes on with the piece before, if its plane is the same and holds on.
+  void add(const mpq_class& until, const MovingPlane& plane) {
+    std::vector<ImpactPiece>& pieces = impact_.pieces;
+    const mpq_class from = pieces.size() < 2 ? mpq_class(0) : pieces[pieces.size() - 2].until;
+    if (!pieces.empty() && pieces.back().plane == plane && pair_.holding(plane, from, until).holds)
+      pieces.back().until = until;
+    else pieces.push_back({until, plane, {}});
+  }
 
   /// Goes on from a time at which the bodies are apart. Returns nullopt if no plane reaches the
-  /// next time of the grid.
+  /// next time of the grid, or if it has found the contact.
   std::optional<Moment> step(const Moment& now) {
     const std::optional<Reach> found = farthest(pair_.planes(now.t, now.placed, now.normal()), now.t);
     if (!found) return std::nullopt;
@@ -183,6 +193,10 @@ class ImpactSearch {
     if (!beyond.apart()) {
       const Reach whole = *reach(found->plane, now.t, found->fails, true);
       add(whole.until, whole.plane);
+      if (const Moment next = at(whole.until + cell_); !next.apart()) {
+        meet(whole.until, pair_.at(whole.until), pair_.direction(whole.plane, whole.until), next);
+        return std::nullopt;
+      }
       return at(whole.until);
     }
     add(found->until, found->plane);
@@ -204,14 +218,14 @@ class ImpactSearch {
   std::optional<Moment> cross_cell(const Moment& now) {
     Moment next = at(now.t + cell_);
     if (!next.apart()) {
-      meet(now, next);
+      const std::optional<MovingPlane> last = impact_.pieces.empty() ? std::nullopt : impact_.pieces.back().plane;
+      meet(now.t, now.placed, last ? pair_.direction(*last, now.t) : now.normal(), next);
       return std::nullopt;
     }
     std::optional<Moment> inside;
     const Moment* from = &now;
     while (from->t < next.t) {
-      if (impact_.pieces.size() >= most_pieces)
-        throw ImpactTooLong("the motion needs more than 100000 pieces of time");
+      if (impact_.pieces.size() >= most_pieces) throw ImpactTooLong("the motion needs more than 100000 pieces of time");
       mpq_class best = from->t;
       std::optional<MovingPlane> with;
       for (const MovingPlane& plane : pair_.planes(from->t, from->placed, from->normal()))
@@ -225,7 +239,7 @@ class ImpactSearch {
         miss(now, next);
         break;
       }
-      add(best, *with);
+      impact_.pieces.push_back({best, with, {}});
       inside = at(best);
       from = &*inside;
     }
@@ -246,18 +260,16 @@ class ImpactSearch {
     impact_.status = ImpactStatus::grazing;
   }
 
-  void meet(const Moment& now, const Moment& next) {
+  void meet(const mpq_class& t, const polytope::PlacedPair& placed, const Vector& normal, const Moment& next) {
     FirstContact contact;
-    contact.t0 = now.t;
+    contact.t0 = t;
     contact.t1 = next.t;
     contact.a = next.origin.a;
     contact.b = next.origin.b;
     contact.point =
         depth::combination(contact.a, [&](std::size_t i) { return next.placed.position(next.placed.a[i]); });
-    contact.normal = impact_.pieces.empty() || !impact_.pieces.back().plane
-                         ? now.normal()
-                         : pair_.direction(*impact_.pieces.back().plane, now.t);
-    contact.contact = depth::contact_along(now.placed, contact.normal);
+    contact.normal = normal;
+    contact.contact = depth::contact_along(placed, contact.normal);
     impact_.contact = std::move(contact);
     impact_.status = ImpactStatus::contact;
   }
