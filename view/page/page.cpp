@@ -12,7 +12,6 @@
 
 #include "fathom/numbers.hpp"
 #include "view/picture/markup.hpp"
-#include "view/picture/style.hpp"
 #include "view/plot/plot.hpp"
 
 namespace fathom::page {

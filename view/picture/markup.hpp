@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The builder of HTML and SVG. First escaping of any bytes for XML, HTML and terminals, because
-// ids, details and settings are foreign texts. Then the frame of a picture, the parts of pages, and
-// pages themselves.
+// ids, details and settings are foreign texts. Then the frame of a picture, the parts of pages,
+// pages themselves, and the style of them all.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +43,7 @@ std::string svg_element(const SvgFrame& frame, const std::string& content);
 /// `body` are markup.
 std::string page(const std::string& title, const std::string& body);
 
-/// Returns the style of pages: layout in light, dark and on paper. Colours are those of style.hpp.
+/// Returns the style of pages: layout in light, dark and on paper. Colours are those below.
 std::string_view page_style();
 
 /// Returns the script of pages: filters, buttons that copy, and folded parts that open for links
@@ -128,5 +128,29 @@ std::string security_policy(std::span<const std::string_view> scripts, std::span
 
 /// Returns the same as the <meta> element that precedes all others of the head but the charset.
 std::string policy_element(std::span<const std::string_view> scripts, std::span<const std::string_view> styles);
+
+// The style of every page and picture: one set of colours, for light, dark and paper, and the rules
+// for drawing pictures. The colours for A, B, the truth and the claim can be distinguished by the
+// colour-blind, and each has a second sign: A is toned, B is hatched, the claim is dashed.
+
+/// Returns the colours as custom properties of the root: --ground, --ink, --soft, --line, --shade,
+/// --a, --b, --true, --claimed, --link, --lit. They depend on prefers-color-scheme; print is light.
+/// Has no other rules.
+std::string colour_style();
+
+/// Returns the rules for elements of class "wide", which scroll sideways: a shadow at an edge shows
+/// that there is more beyond it, because phones show no scroll bar.
+std::string_view scroll_style();
+
+/// Returns the rules with each "@name" replaced by the custom property of that colour; `plain`:
+/// each property twice, first with the light colour, for programs without var().
+std::string coloured(std::string_view rules, bool plain);
+
+/// Returns the rules for the output of scene_panels and scene_document, in the colours of
+/// colour_style.
+std::string picture_style();
+
+/// Returns both, for an SVG file. Programs without custom properties draw it in light colours.
+std::string document_style();
 
 }  // namespace fathom::picture

@@ -7,7 +7,6 @@
 
 #include "verify/digest/sha256.hpp"
 #include "view/picture/markup.hpp"
-#include "view/picture/style.hpp"
 
 namespace fathom::picture {
 

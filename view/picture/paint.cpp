@@ -9,13 +9,12 @@
 
 #include "view/picture/markup.hpp"
 #include "view/picture/scene.hpp"
-#include "view/picture/style.hpp"
 #include "view/picture/view.hpp"
 
 namespace fathom::picture {
 namespace {
 
-// The elements of all pictures. Styles are classes of style.hpp; places are in pixels.
+// The elements of all pictures. Styles are classes of markup.hpp; places are in pixels.
 
 /// Returns a path; empty if there is nothing to draw.
 std::string path_element(const std::string& style, const std::string& d) {

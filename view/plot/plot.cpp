@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "view/picture/markup.hpp"
-#include "view/picture/style.hpp"
 
 namespace fathom::plot {
 namespace {

@@ -97,7 +97,7 @@ inline constexpr unsigned distinct_looks = 6;
 std::string figure_element(const Figure& figure);
 /// Returns the same as a file with its style.
 std::string figure_file(const Figure& figure);
-/// Returns the rules of charts in pages, in the colours of view/picture/style.hpp.
+/// Returns the rules of charts in pages, in the colours of view/picture/markup.hpp.
 std::string chart_style();
 
 /// Returns the exponent e of the power y = c x^e that fits best, by least squares of the

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "view/picture/markup.hpp"
-#include "view/picture/style.hpp"
 #include "view/stages/stages.hpp"
 
 namespace fathom::stages {
