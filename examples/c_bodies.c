@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Bodies from C: exact numbers, shapes, meshes, poses, cases; and what is said of those that are
- * none. */
+/* Bodies from C: exact numbers, shapes, meshes, poses, cases, links of robots, the plane; and what
+ * is said of those that are none. */
 #include <fathom/fathom.h>
 #include <stdio.h>
 
@@ -27,7 +27,8 @@ static void answer_about(fathom_body* a, fathom_body* b) {
 
 int main(void) {
   const char* const triangle[9] = {"0", "0", "1/3", "1", "0", "1/3", "0", "1", "1/3"};
-  fathom_body *a, *b, *pill;
+  const double square[8] = {-1, -1, 1, -1, 1, 1, -1, 1};
+  fathom_body *a, *b, *pill, *ball;
   FILE* file;
 
   /* A triangle of thirds, and a ball of radius exactly 1/10 that touches it. */
@@ -51,7 +52,7 @@ int main(void) {
   remove("c_bodies.off");
   answer_about(a, b);
 
-  /* A link of a robot, where a joint puts it, and a disc in the plane with a square. */
+  /* A link of a robot, where a joint puts it. */
   if ((file = fopen("c_bodies.urdf", "w")) == NULL) return 1;
   fputs(
       "<robot name='r'><link name='base'/><link name='slide'><collision><geometry><box size='2 2 2'/></geometry>"
@@ -63,9 +64,14 @@ int main(void) {
   remove("c_bodies.urdf");
   fathom_body_read("sphere:r=1", FATHOM_HULL, NULL, NULL, 0, FATHOM_EXACT_DECIMALS, &b);
   answer_about(a, b);
-  fathom_body_read("plane:circle:r=1", FATHOM_HULL, NULL, NULL, 0, FATHOM_EXACT_DECIMALS, &a);
-  fathom_body_from_shape("plane:box:half=1:1,at=3/2:0", FATHOM_EXACT_DECIMALS, &b);
+
+  /* Bodies of the plane: a square, and a disc that overlaps its side; the ball is one of space. */
+  fathom_body_from_shape("sphere:r=1,at=7/4:0:0", FATHOM_EXACT_DECIMALS, &ball);
+  fathom_body_from_plane_points(square, 4, &a);
+  fathom_body_in_plane(ball, &b);
   answer_about(a, b);
+  fathom_body_from_shape("plane:box:half=1:1", FATHOM_EXACT_DECIMALS, &a);
+  answer_about(a, ball);
 
   /* What is none is NULL, and the reason is kept. */
   if (fathom_body_from_shape("sphere:r=-1", FATHOM_EXACT_DECIMALS, &a) == FATHOM_BAD_INPUT)
@@ -78,5 +84,6 @@ int main(void) {
 //> penetrating, signed depth 1/4; all in JSON: {"schema":"fathom/result/2"...
 //> about the convex hulls: A is open
 //> penetrating, signed depth 1/2; all in JSON: {"schema":"fathom/result/2"...
-//> penetrating, signed depth 1/2; all in JSON: {"schema":"fathom/result/2"...
+//> penetrating, signed depth 1/4; all in JSON: {"schema":"fathom/result/2"...
+//> a body of the plane and one of space are given: both must be of one of them
 //> sphere:r=-1: the radius of a sphere is not positive: -1

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an answer holds: bodies penetrate, touch or are disjoint. An octahedron is moved into a unit
-// cube.
+// cube. Then a computation is watched, and stopped: it has no answer.
 #include <fathom/depth.hpp>
+#include <fathom/monitor.hpp>
 #include <iostream>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 using fathom::Point;
@@ -35,6 +39,33 @@ void tell(const mpq_class& x) {
             << " they touch at x = " << depth.contact_points().b.x << "\n";
 }
 
+/// Prints the stages as they begin; stops when the last of them is reached.
+class Watch : public fathom::Monitor {
+ public:
+  explicit Watch(std::string last) : last_(std::move(last)) {}
+  void report(std::string_view stage, double) override {
+    if (stage == stage_) return;
+    stage_ = stage;
+    std::cout << stage << "\n";
+  }
+  bool stopped() override { return stage_ == last_; }
+
+ private:
+  std::string stage_, last_;
+};
+
+void stop_at(const std::string& stage) {
+  Watch watch(stage);
+  fathom::Options options;
+  options.method = fathom::Method::exact;
+  options.monitor = &watch;
+  try {
+    fathom::penetration_depth(cube, cube, options);
+  } catch (const fathom::Interrupted&) {
+    std::cout << "stopped\n";
+  }
+}
+
 int main() {
   tell(2);
   tell(mpq_class(3, 2));
@@ -46,6 +77,7 @@ int main() {
   std::cout << "the cube in itself: " << ties.optima_count() << " ways out, " << ties.optima().size()
             << " of them listed\n";
   std::cout << (fathom::status_named("touching") == fathom::Status::touching) << "\n";  // the words can be read back
+  stop_at("hulls");
 }
 
 //> at 2: disjoint, distance^2 = 1/4, signed -1/4; moved by x = -1/2 they touch at x = 1
@@ -54,3 +86,5 @@ int main() {
 //> at 1/2: penetrating, depth^2 = 1, shortest ways out: 6, the first of kind vertex-facet, from corner 0 at x = 1 to x = 0, the next facet^2 = 9/8, signed 1; moved by x = -1 they touch at x = 0
 //> the cube in itself: 6 ways out, 2 of them listed
 //> 1
+//> hulls
+//> stopped

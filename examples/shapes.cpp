@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Round bodies: a capsule leans into a rounded box, exactly. Spheres, half-spaces, poses by
-// quaternions, cores that touch.
+// quaternions, cores that touch; and in the plane, where a sphere is a circle.
+#include <fathom/answer.hpp>
 #include <fathom/certificate.hpp>
+#include <fathom/plane.hpp>
 #include <fathom/shape.hpp>
 #include <fathom/signed_depth.hpp>
 #include <iostream>
@@ -55,6 +57,14 @@ int main() {
   for (const Shape& other : others) all = minkowski_sum(all, other);
   std::cout << std::get<std::vector<Term>>(all.core).size() << " terms; flat: " << is_flat(all)
             << ", a triangle: " << is_flat(others[6]) << "\n";
+
+  Body disc;
+  disc.shape = sphere(mpq_class(1, 2));
+  const Body square = in_plane({{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}});
+  const Answer answer = exact_answer(square, in_plane(disc));
+  const Vector n = *answer.direction();
+  std::cout << answer.status_name() << " " << *answer.nearest_binary64() << " (" << n.x << ", " << n.y << ") "
+            << name(answer.contact()->kind) << ", dimension " << answer.dimension() << "\n";
 }
 
 //> penetrating: 3/5 + root of -1/100, from 0.5 to 0.5
@@ -66,3 +76,4 @@ int main() {
 //> a line along z, 0 rays; -1 -1
 //> 21/10, around an axis along z: 1
 //> 8 terms; flat: 0, a triangle: 1
+//> penetrating 0.5 (0, 1) vertex-vertex, dimension 2
