@@ -376,6 +376,9 @@ std::vector<Option> make_table() {
            "with --shrink, your own program with @A@ and @B@ where the bodies go, as {{x, y, z}, ...}, or @A_JSON@ and "
            "@B_JSON@"),
       {"certify", "--print-input", "ID", "print what the subject reads for the case of this id, and ask nothing"},
+      file("certify", "--write-requests", "FILE", FileUse::written,
+           "write what the subject reads for every case, the exact answer, and which claims pass, and ask nothing: "
+           "verify/examples/replay.py puts them to it without fathom"),
       {"certify", "first", "", ""},
 
       {"certify diff", "reports", "", "", {}, FileUse::none, Repeats::each},

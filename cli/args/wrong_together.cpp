@@ -91,8 +91,9 @@ std::string wrong_certify(const Given& given) {
   if (overwrites && resumes) return "--resume goes on with the report that --overwrite replaces: one of them";
   if (given.has("--harness") && !given.has("--shrink"))
     return "--harness is filled with what --shrink finds, and needs --shrink";
-  if (given.has("--print-input") && replays)
-    return "--print-input shows what a subject reads, and a replay reads nothing";
+  for (const char* option : {"--print-input", "--write-requests"})
+    if (replays && given.has(option))
+      return fmt::format("{} shows what a subject reads, and a replay reads nothing", option);
   if (given.text("--replay") == "-" && !worst && inputs[0] == "-")
     return "--replay - and the cases cannot both come from standard input";
   if (given.text("--report") == "-") return "--report writes a file; --json writes to standard output";

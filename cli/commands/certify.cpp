@@ -172,6 +172,7 @@ class Certify {
     try {
       if (!replay_) examiner_ = std::make_shared<Examiner>(command_, settings());
       if (!certify_.print_input.empty()) return print_input();
+      if (!certify_.write_requests.empty()) return write_requests();
       if (examiner_ && !examiner_->passed_over().empty()) tell("notes on the subject", examiner_->passed_over());
       if (!certify_.shrink.empty() && info().dimension == 2)
         throw InputError("--shrink", 0, "it makes bodies of space smaller, and the subject takes those of the plane");
@@ -201,6 +202,22 @@ class Certify {
     }
     throw InputError(certify_.cases, 0,
                      "expected a case of the id " + kernels::shown(certify_.print_input) + ", found none");
+  }
+
+  /// Writes the file of requests. Cases that cannot be put are left out, which is said.
+  ExitCode write_requests() {
+    CertificateFile file(certify_.write_requests, "file of requests");
+    std::string text = harness::header_line(
+        info(), certify_.tolerance, {FATHOM_VERSION, certify_.command_line, "", {}, certify_.methods, certify_.fit});
+    while (const std::optional<Case> pair = next_case()) {
+      try {
+        for (const std::string& line : examiner_->requests_for(*pair)) text += "\n" + line;
+      } catch (const InputError& error) {
+        talk(std::string("left out: ") + error.what());
+      }
+    }
+    file.write(text + "\n");
+    return cases_->bad() > 0 ? bad_input : fine;
   }
 
   [[nodiscard]] const harness::SubjectInfo& info() const { return replay_ ? replay_->info() : examiner_->info(); }
@@ -427,6 +444,7 @@ CertifyRequest::CertifyRequest(const Given& given)
       overwrite(given.flag("--overwrite")),
       all_rows(given.flag("--all-rows")),
       print_input(given.text("--print-input")),
+      write_requests(given.text("--write-requests")),
       harness(given.text("--harness")),
       expect_fail(given.text("--expect-fail")),
       write_expect_fail(given.text("--write-expect-fail")),

@@ -42,6 +42,7 @@ struct CertifyRequest {
   bool resume = false, overwrite = false;  ///< of an existing report
   bool all_rows = false;                   ///< in the table
   std::string print_input;                 ///< the id of the case to print as the subject reads it; empty: none
+  std::string write_requests;              ///< the path of a file of all that the subject reads; empty: none
   std::string harness;                     ///< the user's own program for --shrink; empty: none
   std::vector<std::string> variants;       ///< of each case, put too
   std::string expect_fail, write_expect_fail, junit, html, certificates, shrink;  ///< paths; empty: not wanted

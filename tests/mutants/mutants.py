@@ -181,6 +181,10 @@ MUTANTS = [Mutant(*fields) for fields in [
      "judge_tests"),
     ("verify/harness/seen_case.cpp", "(most && *other <= *most)", "(most && *other >= *most)", "harness_tests"),
     ("verify/harness/journal.cpp", "seen.emplace(outcome->id, outcome->variant)", 'seen.emplace(outcome->id, "")', "harness_tests"),
+    ("verify/judge/truth.cpp", "return Between{low, std::nextafter(beyond, -infinity)};", "return Between{low, beyond};",
+     "subject_requests"),
+    ("verify/judge/truth.cpp", "result.depth = {-result.depth.high, -result.depth.low};",
+     "result.depth = {-result.depth.low, -result.depth.high};", "subject_requests"),
     # golden data
     ("verify/golden/records/prove.cpp", "if (found->certificate.id != id)", "if (found->certificate.id.empty())", "golden_tests"),
     ("verify/golden/shards/plan.cpp", "case Level::L0: return {3, 12, 0};", "case Level::L0: return {3, 11, 0};", "golden_tests"),

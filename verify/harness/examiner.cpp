@@ -21,6 +21,7 @@
 #include "reference/files/shape_names.hpp"
 #include "reference/shapes/core.hpp"
 #include "verify/harness/coordinates.hpp"
+#include "verify/harness/journal.hpp"
 #include "verify/harness/seen_case.hpp"
 #include "verify/harness/variants.hpp"
 #include "verify/judge/measures.hpp"
@@ -303,23 +304,40 @@ std::optional<Case> Examiner::put(const Case& pair, long exponent, Outcome& othe
   return std::nullopt;
 }
 
-std::vector<std::string> Examiner::input_for(const Case& pair) {
+void Examiner::note_runs(const Case& pair, const std::function<void(const Case&, long, const std::string&)>& take) {
   const long exponent = exponent_to_fit(pair, settings_.fit);
   Outcome otherwise;
   const std::optional<Case> seen = put(pair, exponent, otherwise);
   if (!seen) throw InputError(pair.id, 0, "it cannot be put to the subject: " + otherwise.detail);
-  std::vector<std::string> lines{hello_message()};
   const auto note = [&](const Case& one, std::optional<SubjectAnswer>& answer) {
     Outcome outcome = outcome_for(one, exponent);
-    lines.push_back(run_message(ticket_of(lines.size(), outcome.digest), in_unit(one, exponent), info_.format.points,
-                                info_.wants_faces));
+    take(one, exponent,
+         run_message(ticket_of(++asked_, outcome.digest), in_unit(one, exponent), info_.format.points,
+                     info_.wants_faces));
     answer = SubjectAnswer{"", Unsupported{"only noted"}};
     return outcome;
   };
   std::optional<SubjectAnswer> answer;
   if (is_asked_in_pairs(*seen, info_)) examine_pairs(*seen, exponent, info_, judging(), note);
   else note(*seen, answer);
+}
+
+std::vector<std::string> Examiner::input_for(const Case& pair) {
+  std::vector<std::string> lines{hello_message()};
+  note_runs(pair, [&](const Case&, long, const std::string& run) { lines.push_back(run); });
   lines.push_back(stop_message());
+  return lines;
+}
+
+std::vector<std::string> Examiner::requests_for(const Case& pair) {
+  std::vector<std::string> lines;
+  note_runs(pair, [&](const Case& one, long exponent, const std::string& run) {
+    const judging::AnyTruth truth = truth_to_judge_by(one, info_, exponent, judging());
+    const NumberFormat format = in_unit(info_.format, exponent);
+    lines.push_back(request_line(one.id, run,
+                                 judging::judged(truth, Reply{}, info_.conventions, format, settings_.tolerance),
+                                 judging::accepted(truth, info_.conventions, format, settings_.tolerance)));
+  });
   return lines;
 }
 

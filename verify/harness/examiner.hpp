@@ -79,6 +79,10 @@ class Examiner {
   /// not be put to the subject.
   [[nodiscard]] std::vector<std::string> input_for(const Case& pair);
 
+  /// Returns each run of the case as a line of a file of requests [PROTOCOL.md]. Puts nothing, and
+  /// throws as input_for.
+  [[nodiscard]] std::vector<std::string> requests_for(const Case& pair);
+
   /// Sends `stop` to the process; calls settings.unattributed if it does not exit with 0. A later
   /// case gets a fresh process.
   void finish();
@@ -100,6 +104,9 @@ class Examiner {
   /// Returns the case as it is put to the subject; or nullopt, and the outcome of a case that is
   /// not put.
   std::optional<Case> put(const Case& pair, long exponent, Outcome& otherwise) const;
+  /// Calls `take` with each case that would be put, its exponent and its message. Throws InputError
+  /// for a case that would not be put.
+  void note_runs(const Case& pair, const std::function<void(const Case&, long, const std::string&)>& take);
   [[nodiscard]] Judging judging();
   Outcome ask(const Case& seen, long exponent, std::optional<SubjectAnswer>& answer);
   std::optional<Fault> ask_once(const Case& seen, Outcome& outcome, std::optional<SubjectAnswer>& answer);

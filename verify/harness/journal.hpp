@@ -15,6 +15,7 @@
 
 #include "verify/harness/outcome.hpp"
 #include "verify/harness/tally.hpp"
+#include "verify/judge/truth.hpp"
 
 namespace fathom::harness {
 
@@ -32,6 +33,10 @@ std::optional<Outcome> read_outcome(std::string_view line);
 std::optional<std::string> difference(const Judgement& x, const Judgement& y);
 std::string unattributed_line(const Unattributed& unattributed);
 std::optional<Unattributed> read_unattributed(std::string_view line);
+
+/// A request of a file of them: what the subject reads, the truth, and which claims pass.
+std::string request_line(const std::string& id, const std::string& run, const Judgement& truth,
+                         const judging::Accepted& accepted);
 
 /// Returns the first line: the subject, the tolerance, the version of fathom and its command, and
 /// the methods that computed every truth again.

@@ -343,6 +343,25 @@ std::optional<Unattributed> read_unattributed(std::string_view line) {
   return read_line<Unattributed>(line, "unattributed");
 }
 
+std::string request_line(const std::string& id, const std::string& run, const Judgement& truth,
+                         const judging::Accepted& accepted) {
+  Json json = line_of("request");
+  json["id"] = id;
+  json["run"] = Json::written(run);
+  Json known{{"status", json_of(truth.status)}};
+  if (truth.signed_depth) known["signed_depth"] = json_of(*truth.signed_depth);
+  else {
+    known["depth_squared"] = json_of(truth.depth_squared);
+    known["distance_squared"] = json_of(truth.distance_squared);
+  }
+  json["truth"] = known;
+  json["accepted"] = {{"overlap", json_of(accepted.overlap)},
+                      {"apart", json_of(accepted.apart)},
+                      {"depth", json_of(accepted.depth)},
+                      {"distance", json_of(accepted.distance)}};
+  return json.text();
+}
+
 std::string summary_line(const Totals& totals) { return line("summary", totals); }
 
 std::string hello_text(const SubjectInfo& info) {

@@ -205,18 +205,14 @@ class StopWhen final : public Monitor {
   const std::function<bool()>& stop_;
 };
 
-/// Judges the reply by the truth about `seen`. `radii`: those that the subject added, included in
-/// the shapes of `seen`. `faults`: receives the faults of contacts; null for bodies other than the
-/// given ones, whose motion is not judged either.
-Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class>& radii, const Reply& reply,
-                          const SubjectInfo& info, const NumberFormat& format, const Judging& judging,
+/// Judges the reply by the truth about the bodies. `faults`: receives the faults of contacts; null
+/// for bodies other than the given ones, whose motion is not judged either.
+Judgement judged_by_truth(const Case& bodies, long exponent, const Reply& reply, const SubjectInfo& info,
+                          const NumberFormat& format, const Judging& judging,
                           std::vector<judging::ContactFault>* faults) {
   StopWhen stopping(judging.stop);
-  Options options;
-  options.monitor = &stopping;
-  options.workspace = judging.workspace;
-  judging::AnyTruth truth = judging::truth_of(seen.a, seen.b, options);
-  if (auto* const shapes = std::get_if<ShapeTruth>(&truth)) std::tie(shapes->added_a, shapes->added_b) = radii;
+  const judging::AnyTruth truth = truth_to_judge_by(bodies, info, exponent, judging, &stopping);
+  const Case seen = judged_bodies(bodies, info, exponent);
   const std::optional<Motion> motion = faults ? seen.motion : std::nullopt;
   const Truth* const points = std::get_if<Truth>(&truth);
   if (!points) {
@@ -381,6 +377,18 @@ Case judged_bodies(const Case& seen, const SubjectInfo& info, long exponent) {
   return {seen.id, grown(seen.a, of_a), grown(seen.b, of_b), seen.motion};
 }
 
+judging::AnyTruth truth_to_judge_by(const Case& seen, const SubjectInfo& info, long exponent, const Judging& judging,
+                                    Monitor* monitor) {
+  const Case bodies = judged_bodies(seen, info, exponent);
+  Options options;
+  options.monitor = monitor;
+  options.workspace = judging.workspace;
+  judging::AnyTruth truth = judging::truth_of(bodies.a, bodies.b, options);
+  if (auto* const shapes = std::get_if<ShapeTruth>(&truth))
+    std::tie(shapes->added_a, shapes->added_b) = rounding_radii(seen, info, exponent);
+  return truth;
+}
+
 void demand_sent_as_vertices(const Case& seen, const SubjectAnswer& answer) {
   const auto demand = [](const Body& body, bool told, const char* name) {
     if (told && body.words)
@@ -491,11 +499,10 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
   outcome.reply = std::get<Reply>(answer.said);
   outcome.microseconds = answer.microseconds;
   const NumberFormat format = in_unit(info.format, outcome.fit);
-  const auto radii = rounding_radii(seen, info, outcome.fit);
-  if (!files::has_union(seen)) outcome.radii = radii.first + radii.second;
+  const auto [of_a, of_b] = rounding_radii(seen, info, outcome.fit);
+  if (!files::has_union(seen)) outcome.radii = of_a + of_b;
   const auto judged = [&](const Case& asked, std::vector<judging::ContactFault>* faults = nullptr) {
-    return judged_by_truth(judged_bodies(asked, info, outcome.fit), radii, *outcome.reply, info, format, judging,
-                           faults);
+    return judged_by_truth(asked, outcome.fit, *outcome.reply, info, format, judging, faults);
   };
   outcome.judgement = judged(seen, &outcome.contact_faults);
   if (answer.hull_a || answer.hull_b) {

@@ -17,6 +17,7 @@
 #include "verify/harness/protocol.hpp"
 #include "verify/harness/two_ways.hpp"
 #include "verify/judge/scene.hpp"
+#include "verify/judge/truth.hpp"
 
 namespace fathom::harness {
 
@@ -76,6 +77,10 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
 /// subject gets lengths times 2^exponent. A body with a radius is a shape without description.
 /// Unions are unchanged: see rounds_pieces.
 Case judged_bodies(const Case& seen, const SubjectInfo& info, long exponent);
+
+/// Returns the truth about these bodies.
+judging::AnyTruth truth_to_judge_by(const Case& seen, const SubjectInfo& info, long exponent, const Judging& judging,
+                                    Monitor* monitor = nullptr);
 
 /// Returns the radius by which the subject rounds this body, in the subject's unit.
 mpq_class rounding_radius(const Body& body, const SubjectInfo& info);

@@ -2,7 +2,15 @@
 // The bodies after rounding to the subject's format, and the exact answer about them.
 #include "verify/judge/truth.hpp"
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -38,6 +46,22 @@ std::optional<GivenPoints> rounded(std::span<const P> points, Precision precisio
     if (!is_finite(result.back())) return std::nullopt;
   }
   return GivenPoints(std::move(result));
+}
+
+/// Returns the least number of binary64 for which `holds`; infinity if there is none. If it holds
+/// for a number it must hold for each larger one.
+double least_double(const std::function<bool(double)>& holds) {
+  // Numbers of one sign are in the order of their bits.
+  const auto number = [](std::int64_t place) {
+    return place < 0 ? -std::bit_cast<double>(-place) : std::bit_cast<double>(place);
+  };
+  std::int64_t end = std::bit_cast<std::int64_t>(std::numeric_limits<double>::infinity());
+  for (std::int64_t begin = 1 - end; begin < end;) {
+    const std::int64_t middle = std::midpoint(begin, end);
+    if (holds(number(middle))) end = middle;
+    else begin = middle + 1;
+  }
+  return number(end);
 }
 
 GivenPoints points_of(const std::vector<Triple>& body, const NumberFormat& format) {
@@ -128,6 +152,40 @@ Judgement judged(const AnyTruth& truth, const Reply& reply, const Conventions& c
                  const Tolerance& tolerance, const std::optional<Motion>& motion, Monitor* monitor) {
   return std::visit(
       [&](const auto& known) { return judge(known, reply, conventions, format, tolerance, motion, monitor); }, truth);
+}
+
+Accepted accepted(const AnyTruth& truth, const Conventions& conventions, const NumberFormat& format,
+                  const Tolerance& tolerance, Monitor* monitor) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Conventions plain = conventions;
+  plain.depth = Conventions::Sign::positive;
+  const auto finds = [&](bool overlap, std::optional<double> length, std::initializer_list<Verdict> sought) {
+    Reply claim;
+    claim.overlap = overlap;
+    (overlap ? claim.depth : claim.distance) = length;
+    const Judgement found = judged(truth, claim, plain, format, tolerance, {}, monitor);
+    return std::ranges::find_first_of(found.findings, sought) != found.findings.end();
+  };
+  const auto between = [&](bool overlap) {
+    const double low = least_double([&](double length) {
+      return !finds(overlap, length, {Verdict::wrong_sign, Verdict::too_shallow, Verdict::too_near});
+    });
+    const double beyond = least_double([&](double length) {
+      return finds(overlap, length, {Verdict::too_deep, Verdict::too_far});
+    });
+    return Between{low, std::nextafter(beyond, -infinity)};
+  };
+  Accepted result{.overlap = !finds(true, {}, {Verdict::false_overlap}),
+                  .apart = !finds(false, {}, {Verdict::false_separation}),
+                  .depth = between(true),
+                  .distance = between(false)};
+  using Kind = Policy::Kind;
+  const Kind kind = tolerance.policy.kind;
+  const bool shortest =
+      kind == Kind::minimum || (kind == Kind::declared && conventions.claims == Conventions::Claims::minimum);
+  if (!shortest) result.depth.high = infinity;
+  if (conventions.depth == Conventions::Sign::negative) result.depth = {-result.depth.high, -result.depth.low};
+  return result;
 }
 
 }  // namespace fathom::judging

@@ -31,6 +31,18 @@ AnyTruth truth_of(const Body& a, const Body& b, const Options& options = {});
 Judgement judged(const AnyTruth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
                  const Tolerance& tolerance, const std::optional<Motion>& motion = {}, Monitor* monitor = nullptr);
 
+/// The claims that pass without a direction: whether the bodies may be said to overlap, and to be
+/// apart, and the least and the greatest number that may stand beside each, among those of
+/// binary64: with the signs of the conventions, and in the unit of the format. A depth has no upper
+/// bound where the policy lets longer translations pass.
+struct Accepted {
+  bool overlap = false, apart = false;
+  Between depth = {}, distance = {};
+};
+/// Returns what `judged` accepts, by asking it.
+Accepted accepted(const AnyTruth& truth, const Conventions& conventions, const NumberFormat& format,
+                  const Tolerance& tolerance, Monitor* monitor = nullptr);
+
 /// Adds a finding to a judgement, at its rank.
 void add_finding(Judgement& judgement, Verdict finding, const std::string& sentence);
 
