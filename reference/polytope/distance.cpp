@@ -79,25 +79,33 @@ std::optional<SimplexFoot<Integer>> nearest_in_simplex(std::vector<SimplexCorner
 template std::optional<SimplexFoot<mpz_class>> nearest_in_simplex(std::vector<SimplexCorner<mpz_class>>&);
 
 template <class Body>
-NearestPoints nearest_points(DifferencesOf<Body> differences) {
+std::optional<NearestPoints> nearest_points_if_apart(DifferencesOf<Body> differences) {
   using Integer = IntegerOf<Body>;
   require_bodies(differences, "nearest_points");
   std::vector<SimplexCorner<Integer>> corners{{{0, 0}, differences[{0, 0}]}};
   while (true) {
     const std::optional<SimplexFoot<Integer>> nearest = nearest_in_simplex(corners);
-    if (!nearest || is_zero(nearest->point))
-      throw std::invalid_argument("nearest_points: the hulls have a point in common");
+    if (!nearest || is_zero(nearest->point)) return std::nullopt;
     const SimplexFoot<Integer>& z = *nearest;
     const Vec3<Integer> n = shortened(-z.point);
     const Difference ids = differences.extreme(n);
     const Vec3<Integer> p = differences[ids];
     if (cmp(Integer(z.denominator * dot(n, p)), dot(n, z.point)) <= 0) {
       const Vector normal = primitive(to_vector(n));
-      return {normal, dot(normal, to_vector(p)), shares(corners, z, &Difference::first),
-              shares(corners, z, &Difference::second), differences.scans};
+      return NearestPoints{normal, dot(normal, to_vector(p)), shares(corners, z, &Difference::first),
+                           shares(corners, z, &Difference::second), differences.scans};
     }
     corners.push_back({ids, p});
   }
+}
+template std::optional<NearestPoints> nearest_points_if_apart(Differences);
+template std::optional<NearestPoints> nearest_points_if_apart(DifferencesIn<NarrowInteger>);
+
+template <class Body>
+NearestPoints nearest_points(DifferencesOf<Body> differences) {
+  std::optional<NearestPoints> nearest = nearest_points_if_apart(std::move(differences));
+  if (!nearest) throw std::invalid_argument("nearest_points: the hulls have a point in common");
+  return *std::move(nearest);
 }
 template NearestPoints nearest_points(Differences);
 template NearestPoints nearest_points(DifferencesIn<NarrowInteger>);

@@ -65,6 +65,9 @@ struct NearestPoints {
 /// the same in either kind of integers. Throws std::invalid_argument otherwise.
 template <class Body>
 NearestPoints nearest_points(DifferencesOf<Body> differences);
+/// The same; nullopt if O lies in P.
+template <class Body>
+std::optional<NearestPoints> nearest_points_if_apart(DifferencesOf<Body> differences);
 inline NearestPoints nearest_points(const kernels::PointCloud& a, const kernels::PointCloud& b) {
   return nearest_points(Differences{a, b});
 }

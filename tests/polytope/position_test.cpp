@@ -103,14 +103,17 @@ void expect_in_fixed_integers(const Answer& answer, const std::vector<Vector>& a
 // Solves in both kinds of integers, checks the proof, and returns the answer.
 PositionOfOrigin proved(const std::vector<Vector>& a, const std::vector<Vector>& b) {
   const long exponent = std::max(kernels::binary_exponent(a), kernels::binary_exponent(b));
-  const PositionOfOrigin answer =
-      position_of_origin(kernels::PointCloud(a, exponent), kernels::PointCloud(b, exponent));
+  const kernels::PointCloud cloud_a(a, exponent), cloud_b(b, exponent);
+  const PositionOfOrigin answer = position_of_origin(cloud_a, cloud_b);
   for (const std::string& fault : validate(answer, a, b).faults) ADD_FAILURE() << fault;
   if (answer.position == Position::inside) {
     EXPECT_GE(answer.surrounding.size(), 4U);
     EXPECT_LE(answer.surrounding.size(), 6U) << "law: Steinitz";
   }
   expect_in_fixed_integers(answer, a, b, [](auto differences) { return position_of_origin(differences); });
+  const std::optional<NearestPoints> nearest = nearest_points_if_apart(Differences{cloud_a, cloud_b});
+  EXPECT_EQ(nearest.has_value(), answer.position == Position::outside) << "law: nearest points are those of sets apart";
+  expect_in_fixed_integers(nearest, a, b, [](auto differences) { return nearest_points_if_apart(differences); });
   return answer;
 }
 

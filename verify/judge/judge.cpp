@@ -224,7 +224,8 @@ class Judge {
 
   Judgement run() {
     truth_.measure(claim_, result_);
-    if (const std::optional<Surd> gap = squared_gap()) result_.witness_gap = kernels::nearest_root_binary64(*gap);
+    gap_ = squared_gap();
+    if (gap_) result_.witness_gap = kernels::nearest_root_binary64(*gap_);
     if (const std::optional<mpq_class> off = deepest_contact(claim_))
       result_.deepest = kernels::nearest_binary64({*off, 0});
     classification();
@@ -342,7 +343,8 @@ class Judge {
   void witnesses() {
     remarks_.witness_a = truth_.is_off_a();
     remarks_.witness_b = truth_.is_off_b();
-    if (const std::optional<Surd> gap = squared_gap()) remarks_.gap = truth_.misses(*gap);
+    if (remarks_.length_sign || remarks_.direction_sign) gap_ = squared_gap();
+    if (gap_) remarks_.gap = truth_.misses(*gap_);
     if (remarks_.witness_a || remarks_.witness_b || remarks_.gap) found(Verdict::witness_off);
   }
 
@@ -398,6 +400,7 @@ class Judge {
   NumberFormat format_;
   const Tolerance& tolerance_;
   Claim claim_;
+  std::optional<Surd> gap_;  // squared_gap
   Remarks remarks_;
   bool deep_ = false;
   std::vector<ContactFault> faults_;

@@ -90,6 +90,11 @@ class Search {
   std::optional<Triangle> portal_;
 };
 
+/// most = max(most, length).
+void raise(mpq_class& most, const mpq_class& length) {
+  if (length > most) most = length;
+}
+
 }  // namespace
 
 std::optional<mpq_class> way_out(const polytope::PlacedPair& placed, const InnerPolytope& inside, const Vector& u,
@@ -109,9 +114,12 @@ Sizes sizes_of(std::span<const Point> a, std::span<const Point> b, unsigned dime
     };
     const auto [low_a, high_a] = range(a);
     const auto [low_b, high_b] = range(b);
-    sizes.extent = std::max({sizes.extent, mpq_class(high_a - low_a), mpq_class(high_b - low_b)});
-    sizes.farthest = std::max({sizes.farthest, mpq_class(-low_a), high_a, mpq_class(-low_b), high_b});
-    sizes.reach = std::max({sizes.reach, mpq_class(high_b - low_a), mpq_class(high_a - low_b)});
+    raise(sizes.extent, high_a - low_a);
+    raise(sizes.extent, high_b - low_b);
+    for (const mpq_class* low : {&low_a, &low_b}) raise(sizes.farthest, -*low);
+    for (const mpq_class* high : {&high_a, &high_b}) raise(sizes.farthest, *high);
+    raise(sizes.reach, high_b - low_a);
+    raise(sizes.reach, high_a - low_b);
   }
   return sizes;
 }
@@ -167,12 +175,11 @@ mpq_class Scene::exit_distance_squared(const Vector& u) {
 
 std::optional<Outside> outside_of(const Point& point, std::span<const Point> body) {
   const auto search = [](const auto& pair) -> std::optional<Outside> {
-    if (polytope::position_of_origin(pair.differences()).position != polytope::Position::outside) return std::nullopt;
-    polytope::NearestPoints nearest = polytope::nearest_points(pair.differences());
+    std::optional<polytope::NearestPoints> nearest = polytope::nearest_points_if_apart(pair.differences());
+    if (!nearest) return std::nullopt;
+    const mpz_class &height = nearest->height, square = dot(nearest->normal, nearest->normal);
     const mpq_class unit = pair.unit();
-    mpq_class squared =
-        unit * unit * kernels::ratio(nearest.height * nearest.height, dot(nearest.normal, nearest.normal));
-    return Outside{std::move(squared), std::move(nearest.normal)};
+    return Outside{unit * unit * kernels::ratio(height * height, square), std::move(nearest->normal)};
   };
   const polytope::Points alone(std::span(&point, 1)), points(body);
   polytope::NarrowMemory placed;

@@ -6,9 +6,10 @@
     verify/survey/world.py --until 10                            the same, for ten minutes
     verify/survey/world.py --merge                               writes what is there into results.json
 
-The pairs are asked in shards, every adapter about one before the next is made; each leaves a line in build/survey/world/ADAPTER.jsonl, so an
-interruption loses one shard of one adapter at most. A kind is one of `fathom cases --small-world N`; every pair counts as `all` too, and as `nothing_special` if nothing about it is. Only what was really
-asked is counted: `asked` says which pairs. Exit codes: 0 done; 2 wrong arguments; 3 a run failed, which was said; 4 time is up.
+The pairs are asked in shards, each by all adapters before the next is made. What an adapter said to a shard is a line in
+build/survey/world/ADAPTER.jsonl, so an interruption loses one at most. A kind is one of `fathom cases --small-world N`; every pair counts
+as `all` too, and as `nothing_special` if nothing about it is. Only what was really asked is counted: `asked` says which pairs. Exit codes:
+0 done; 2 wrong arguments; 3 a run failed, which was said; 4 time is up.
 """
 import argparse
 import collections
