@@ -145,6 +145,18 @@ class Plane(LevelTests, GoldenTest):
         chosen = self.answer("golden", "export", "--format", "json", "--count", "20", "--certificates", proofs, self.release)
         self.assertRegex(self.answer("check", "--case", self.file("chosen.json", chosen), proofs), "(s VERIFIED [^\n]* dimension=2[^\n]*\n){20}")
 
+    def test_own_cases(self):
+        own = {"id": "own", "dimension": 2, "a": {"vertices": [[0, 0], [2, 0], [2, 2], [0, 2]]},
+               "b": {"vertices": [[1.5, 0.5], [4, 0.5], [4, 1]]}}
+        proofs = self.folder / "own.cert"
+        text = self.answer("golden", "export", "--format", "json", "--certificates", proofs, self.file("own.jsonl", json.dumps(own)))
+        [found] = json.loads(text)["cases"]
+        self.assertEqual((found["dimension"], found["signed_depth"], found["a"]), (2, 0.5, own["a"]["vertices"]))
+        self.assertRegex(self.answer("check", "--case", self.file("own.json", text), proofs), "s VERIFIED [^\n]* dimension=2 own\n")
+        both = json.dumps(own) + "\n" + json.dumps({"id": "space", "a": {"vertices": [[0, 0, 0]]}, "b": {"vertices": [[0, 0, 0]]}})
+        self.assertIn("expected bodies that are all of the plane or all of space, found both",
+                      self.refused("golden", "export", "--format", "c", self.file("both.jsonl", both)))
+
     def test_forged(self):
         number = next(i for i, line in enumerate(self.lines()) if json.loads(line)["expected"]["status"] == "penetrating")
 

@@ -12,6 +12,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "fathom/files.hpp"
 #include "kernels/context.hpp"
@@ -122,6 +123,7 @@ class OwnRecords {
  public:
   OwnRecords(const std::string& path, Monitor* monitor) {
     std::set<std::string> names;
+    std::optional<unsigned> dimension;
     CaseStream cases = CaseStream::open(path, std::cin);
     const std::string name = path == "-" ? "<stdin>" : path;
     while (const std::optional<CaseItem> item = cases.next()) {
@@ -132,12 +134,16 @@ class OwnRecords {
       if (!names.insert(item->id).second) throw wrong("the id " + kernels::shown(item->id) + " occurred before");
       const Case& points = item->value();
       for (const Body* body : {&points.a, &points.b}) {
-        if (body->dimension == 2) throw wrong("expected bodies of space, found bodies of the plane");
+        if (body->dimension != dimension.value_or(body->dimension))
+          throw wrong("expected bodies that are all of the plane or all of space, found both");
+        dimension = body->dimension;
         if (body->shape || body->pieces)
           throw wrong("expected vertices, found a shape or pieces: a case of an export is two lists of points");
       }
+      RecordBodies bodies = HullPair{points.a, points.b};
+      if (dimension == 2) bodies = plane_of(points);
       const Record record =
-          record_of({Source::real, item->id, 0, 0}, {Form::given, item->id, HullPair{points.a, points.b}}, monitor);
+          record_of({Source::real, item->id, 0, 0}, {Form::given, item->id, std::move(bodies)}, monitor);
       std::optional<ExportCase> entry = export_case(record.line);
       if (entry) entry->group = "own";
       all_.push_back({std::move(entry), record.certificate});

@@ -178,6 +178,8 @@ bool fits(const Unions& unions, Form format) {
 
 // ---- bodies of the plane ----
 
+}  // namespace
+
 families::PlanePair plane_of(const Case& bodies) {
   const auto as_shape = [](const Body& body) {
     Body result;
@@ -186,6 +188,8 @@ families::PlanePair plane_of(const Case& bodies) {
   };
   return {as_shape(bodies.a), as_shape(bodies.b)};
 }
+
+namespace {
 
 /// Returns false if a number overflows, distinct points all become equal, or a radius becomes 0.
 bool round(families::PlanePair& plane, Form form) {

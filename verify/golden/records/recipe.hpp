@@ -107,6 +107,9 @@ struct Unions {
 /// bodies only. Bodies of the plane are all shapes: polygons, segments and points, with radii or 0.
 using RecordBodies = std::variant<HullPair, families::NamedPair, Unions, families::PlanePair>;
 
+/// Returns two bodies of the plane as records have them.
+families::PlanePair plane_of(const Case& bodies);
+
 /// The bodies of one record.
 struct FormedCase {
   Form form = Form::given;

@@ -97,8 +97,14 @@ Record record_of(const Recipe& recipe, FormedCase made, Monitor* monitor, Worksp
   const Facts facts =
       facts_of(recipe, std::move(made), std::move(truth), digest::digest_of(certificate).sha256, std::move(contacts));
   Record record{id, line_of(facts), std::move(certificate), csv_row(facts), facts.in_binary64, facts.in_binary32};
-  if (facts.contacts || !std::holds_alternative<HullPair>(facts.made.bodies))
+  if (recipe.source == Source::real && std::holds_alternative<families::PlanePair>(facts.made.bodies)) {
+    // Made by no recipe: what the certificate proves is written again.
+    RecordStatement proved = proved_truth(facts.made, std::nullopt, record.certificate, workspace);
+    const Facts again = facts_of(recipe, facts.made, std::move(proved), facts.certificate_sha256, std::nullopt);
+    if (line_of(again) != record.line) throw std::logic_error(id + ": the certificate proves another record");
+  } else if (facts.contacts || !std::holds_alternative<HullPair>(facts.made.bodies)) {
     if (const auto fault = faults_of(record.line, record.certificate)) throw std::logic_error(id + ": " + *fault);
+  }
   return record;
 }
 
