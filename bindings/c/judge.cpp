@@ -16,7 +16,6 @@
 
 #include "bindings/c/boundary.hpp"
 #include "fathom/numbers.hpp"
-#include "reference/solve/require_space.hpp"
 #include "verify/judge/fields.hpp"
 #include "verify/judge/truth.hpp"
 
@@ -91,9 +90,10 @@ void require_claim(const fathom_claim& claim) {
   demand(!claim.has_patch_slack || is_tolerance(claim.patch_slack), "the patch's slack is negative or not finite");
 }
 
-std::optional<Triple> triple(int given, const double* p) {
+/// Of bodies of the plane z is not read.
+std::optional<Triple> triple(int given, const double* p, unsigned dimension) {
   if (!given) return std::nullopt;
-  return Triple{p[0], p[1], p[2]};
+  return Triple{p[0], p[1], dimension == 2 ? 0 : p[2]};
 }
 
 std::optional<ContactLimits> manifold_of(const fathom_claim& claim) {
@@ -121,18 +121,18 @@ NumberFormat format_of(const fathom_claim& claim) {
           precision(claim.answers == FATHOM_SAME_PRECISION ? claim.precision : claim.answers)};
 }
 
-Reply reply_of(const fathom_claim& claim) {
+Reply reply_of(const fathom_claim& claim, unsigned dimension) {
   Reply reply;
   reply.overlap = claim.overlap != 0;
   if (claim.has_depth) reply.depth = claim.depth;
-  reply.direction = triple(claim.has_direction, claim.direction);
-  reply.witness_a = triple(claim.has_witness_a, claim.witness_a);
-  reply.witness_b = triple(claim.has_witness_b, claim.witness_b);
+  reply.direction = triple(claim.has_direction, claim.direction, dimension);
+  reply.witness_a = triple(claim.has_witness_a, claim.witness_a, dimension);
+  reply.witness_b = triple(claim.has_witness_b, claim.witness_b, dimension);
   if (claim.has_distance) reply.distance = claim.distance;
   if (claim.has_derivative) reply.derivative = claim.derivative;
   for (std::size_t i = 0; i < claim.contact_count; ++i) {
     const std::optional<double> depth = claim.contact_depths ? std::optional(claim.contact_depths[i]) : std::nullopt;
-    reply.contacts.push_back({*triple(true, claim.contact_positions + 3 * i), depth});
+    reply.contacts.push_back({*triple(true, claim.contact_positions + 3 * i, dimension), depth});
   }
   return reply;
 }
@@ -271,7 +271,6 @@ Body seen_from(const Body& body, const NumberFormat& format, const char* body_na
 void judge_claim(const Body& a, const Body& b, const fathom_claim& claim, fathom_judgement& judgement,
                  std::string& sentence) {
   require_claim(claim);
-  solve::require_space(a, b, "fathom_judge");
   const NumberFormat format = format_of(claim);
   Tolerance tolerance{exact_value(claim.tol_relative), exact_value(claim.tol_absolute),
                       static_cast<unsigned long>(claim.tol_ulps), policy_of(claim)};
@@ -279,7 +278,8 @@ void judge_claim(const Body& a, const Body& b, const fathom_claim& claim, fathom
   std::optional<Motion> motion;
   if (claim.has_derivative) motion = {twist_from(claim.twist_a, "twist_a"), twist_from(claim.twist_b, "twist_b")};
   const judging::AnyTruth truth = judging::truth_of(seen_from(a, format, "a"), seen_from(b, format, "b"));
-  const Judgement found = judging::judged(truth, reply_of(claim), conventions_of(claim), format, tolerance, motion);
+  const Judgement found =
+      judging::judged(truth, reply_of(claim, a.dimension), conventions_of(claim), format, tolerance, motion);
   judgement = judgement_of(found, std::visit([](const auto& known) { return rounded(Answer{known.depth}); }, truth));
   sentence = found.sentence;
 }

@@ -276,10 +276,17 @@ std::vector<std::string> Given::inputs() const {
   return result;
 }
 
-std::optional<Motion> Given::motion() const {
-  if (!has("--twist") && !has("--twist-b")) return std::nullopt;
-  const auto twist = [&](const char* option) { return typed_twist(text(option)).value_or(Twist{}); };
-  return Motion{twist("--twist"), twist("--twist-b")};
+std::optional<Motion> GivenTwists::in(unsigned dimension) const {
+  const auto twist = [&](const std::optional<std::string>& text, const char* option) {
+    if (!text) return Twist();
+    const std::optional<Twist> twist = typed_twist(*text, dimension);
+    const char* const expected =
+        dimension == 2 ? "three numbers VX,VY,W of bodies of the plane" : "six numbers of bodies of space";
+    return twist ? *twist
+                 : throw InputError(option, 0, fmt::format("expected {}, found {}", expected, kernels::shown(*text)));
+  };
+  if (!*this) return std::nullopt;
+  return Motion{twist(of_a, "--twist"), twist(of_b, "--twist-b")};
 }
 
 ExitCode said(const Arguments& arguments) {

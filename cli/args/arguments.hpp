@@ -80,6 +80,16 @@ struct GivenOption {
   std::vector<std::string> values;  ///< as typed; the table accepts them; of a flag "true"
 };
 
+/// Motions as they were typed: how many numbers there must be depends on the bodies.
+struct GivenTwists {
+  std::optional<std::string> of_a = {}, of_b = {};
+
+  explicit operator bool() const { return of_a || of_b; }
+  /// Returns the motion, nullopt if there is none. Throws InputError if these are not the numbers
+  /// of one in that dimension.
+  [[nodiscard]] std::optional<Motion> in(unsigned dimension) const;
+};
+
 /// The result of reading a command line.
 struct Given {
   std::string command;               ///< "depth", "golden verify"
@@ -102,8 +112,8 @@ struct Given {
   template <class Integer>
   [[nodiscard]] std::optional<Integer> integer(std::string_view name) const;
   [[nodiscard]] std::optional<mpq_class> number(std::string_view name) const { return typed_number(text(name)); }
-  /// Returns the motion of --twist and --twist-b; nullopt without either.
-  [[nodiscard]] std::optional<Motion> motion() const;
+  /// Returns what was typed with --twist and --twist-b.
+  [[nodiscard]] GivenTwists twists() const { return {value("--twist"), value("--twist-b")}; }
 };
 
 template <class Integer>

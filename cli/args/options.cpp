@@ -208,7 +208,8 @@ std::vector<Option> make_table() {
        "X,Y,Z[,WX,WY,WZ]",
        "the signed depth along a path instead: A is moved by s X,Y,Z for s from 0 to 1, and before that turned about "
        "the origin by the quaternion (1, s W/2), if there is a W. It is positive while the bodies penetrate, 0 when "
-       "they touch, and minus the distance when they are apart: one continuous curve, exact at each step",
+       "they touch, and minus the distance when they are apart: one continuous curve, exact at each step. Of bodies "
+       "of the plane X,Y[,W]",
        {wrong_motion}},
       {"depth",
        "--steps",
@@ -231,7 +232,7 @@ std::vector<Option> make_table() {
        "--twist",
        "VX,VY,VZ,WX,WY,WZ",
        "add how fast the signed depth changes while A begins to move, its point p with the velocity V + W x p: exact, "
-       "from one side",
+       "from one side. Of bodies of the plane VX,VY,W",
        {wrong_twist}},
       {"explain",
        "--twist",
@@ -246,6 +247,8 @@ std::vector<Option> make_table() {
       flag("robot", "--solid", "each mesh is what it goes around, convex or not, instead of its hull"),
       flag("depth,explain", "--skip-flat",
            "with --pieces: go on without pieces that are flat, and name them; else the first is an error"),
+      flag("solid", "--skip-flat",
+           "with --judge: go on without pieces that are flat, and name them; else the first is an error"),
       flag("depth,explain", "--solid",
            "each body is what its closed mesh goes around, convex or not, with cavities: cut into convex pieces, "
            "exactly. A mesh that is not closed, or has a part inside out, is an error. With depth --json one object, "

@@ -85,15 +85,17 @@ std::optional<Point> typed_vector(std::string_view text) {
   return point == Point{0, 0, 0} ? std::nullopt : point;
 }
 
-std::optional<Twist> typed_twist(std::string_view text) {
-  const std::vector<mpq_class> x = typed_numbers(text, 6);
+std::optional<Twist> typed_twist(std::string_view text, unsigned dimension) {
+  const std::vector<mpq_class> x = typed_numbers(text, dimension == 2 ? 3 : 6);
   if (std::ranges::all_of(x, [](const mpq_class& c) { return c == 0; })) return std::nullopt;  // or x is empty
+  if (dimension == 2) return Twist{{x[0], x[1], 0}, {0, 0, x[2]}};
   return Twist{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
 }
 
-std::optional<Twist> typed_motion(std::string_view text) {
-  const std::optional<Point> v = typed_vector(text);
-  return v ? std::optional(Twist{*v, {}}) : typed_twist(text);
+std::optional<Twist> typed_motion(std::string_view text, unsigned dimension) {
+  const std::string_view rest = dimension == 2 ? ",0" : ",0,0,0";
+  const std::optional<Twist> v = typed_twist(std::string(text).append(rest), dimension);
+  return v ? v : typed_twist(text, dimension);
 }
 
 std::optional<std::vector<unsigned>> typed_sizes(std::string_view text) {
@@ -190,7 +192,8 @@ std::string wrong_vector(const std::string& text) {
 }
 
 std::string wrong_motion(const std::string& text) {
-  return unless(typed_motion(text).has_value(), "three numbers such as 1,0,-1/2, or six, not all zero", text);
+  return unless(typed_motion(text, 3) || typed_motion(text, 2),
+                "three numbers such as 1,0,-1/2, or six, not all zero; in the plane two or three", text);
 }
 
 std::string wrong_joints(const std::string& text) {
@@ -199,7 +202,8 @@ std::string wrong_joints(const std::string& text) {
 }
 
 std::string wrong_twist(const std::string& text) {
-  return unless(typed_twist(text).has_value(), "six numbers such as 1,0,0,0,0,-1/2, not all zero", text);
+  return unless(typed_twist(text, 3) || typed_twist(text, 2),
+                "six numbers such as 1,0,0,0,0,-1/2, not all zero; in the plane three", text);
 }
 
 std::string wrong_sizes(const std::string& text) {

@@ -31,10 +31,11 @@ std::optional<mpq_class> typed_number(std::string_view text);
 std::optional<Point> typed_point(std::string_view text);
 /// Parses the same, not all zero.
 std::optional<Point> typed_vector(std::string_view text);
-/// Parses six numbers with commas between them, not all zero: v, and w.
-std::optional<Twist> typed_twist(std::string_view text);
-/// Parses six such numbers, or three: v alone.
-std::optional<Twist> typed_motion(std::string_view text);
+/// Parses six numbers with commas between them, not all zero: v, and w; with the dimension 2 three:
+/// two of v, and the angular speed.
+std::optional<Twist> typed_twist(std::string_view text, unsigned dimension);
+/// Parses such numbers, or v alone.
+std::optional<Twist> typed_motion(std::string_view text, unsigned dimension);
 /// Parses "10..10000", or "10,20,50", which must ascend. A range yields its ends, and 1, 2 and 5
 /// times the powers of ten between them.
 std::optional<std::vector<unsigned>> typed_sizes(std::string_view text);

@@ -49,7 +49,9 @@ std::string wrong_cases(const Given& given) {
   if (given.flag("--plane") && (given.has("--catalogue") || given.flag("--shapes") || given.flag("--unions")))
     return "--plane goes with --list and --family all, and with no other kind of bodies";
   for (const char* option : {"--shapes", "--unions", "--plane"})
-    if (given.flag(option) && !of_many) return fmt::format("{} goes with --list, --catalogue and --family all", option);
+    if (given.flag(option) && !of_many)
+      return fmt::format("{} goes with --list{} and --family all", option,
+                         std::string_view(option) == "--plane" ? "" : ", --catalogue");
   if (given.flag("--shapes") && given.flag("--unions"))
     return "--shapes and --unions are two kinds of bodies: ask for one after the other";
   for (const char* option : {"--pose-a", "--pose-b", "--exact-decimals"})
@@ -197,7 +199,10 @@ std::string wrong_picture(const Given& given) {
   if (given.text("--svg") == "-") return "--svg writes a file, found - for standard output";
   if (given.command == "depth" && !given.has("--along") && given.has("--patch-slack") && !given.flag("--patch"))
     return "--patch-slack goes with --patch";
-  if (given.has("--skip-flat") && !given.flag("--pieces")) return "--skip-flat goes with --pieces";
+  if (given.command == "solid" && given.has("--skip-flat") && !given.has("--judge"))
+    return "--skip-flat goes with --judge";
+  if (given.command != "solid" && given.has("--skip-flat") && !given.flag("--pieces"))
+    return "--skip-flat goes with --pieces";
   if (given.flag("--pieces") || given.flag("--solid")) return wrong_unions(given);
   if (given.command == "depth") return wrong_along(given);
   return given.command == "study" ? wrong_sweep(given) : "";

@@ -25,13 +25,23 @@ namespace {
 struct AlongRequest : DepthRequest {
   explicit AlongRequest(const Given& given)
       : DepthRequest(given),
-        motion(typed_motion(given.text("--along")).value()),
+        along(given.text("--along")),
         steps(given.integer<std::uint32_t>("--steps").value_or(32)),
         csv(given.flag("--csv")) {}
 
-  Twist motion;
+  std::string along;
   std::uint32_t steps;
   bool csv;
+
+  /// Throws InputError unless it was typed for bodies of that dimension.
+  [[nodiscard]] Twist motion(unsigned dimension) const {
+    const std::optional<Twist> motion = typed_motion(along, dimension);
+    const char* const expected =
+        dimension == 2 ? "X,Y or X,Y,W of bodies of the plane" : "X,Y,Z or X,Y,Z,WX,WY,WZ of bodies of space";
+    return motion
+               ? *motion
+               : throw InputError("--along", 0, fmt::format("expected {}, found {}", expected, kernels::shown(along)));
+  }
 };
 
 /// Returns "0.25", or "[0.24, 0.26]" if only bounds are known.
@@ -49,10 +59,15 @@ double height(const AlongStep& step) {
 bool turns(const Twist& motion) { return motion.w != Point{}; }
 
 /// Returns the rotation that the path begins with, "turned by the quaternion (1, s/2 (0, 0, 1)),
-/// then "; or "".
-std::string turn_text(const Twist& motion) {
-  return turns(motion) ? fmt::format("turned by the quaternion (1, s/2 {}), then ", place_text(motion.w, true)) : "";
+/// then ", in the plane "turned by the half-angle s/2 1, then "; or "".
+std::string turn_text(const Path& path) {
+  const Point& w = path.motion.of_a.w;
+  if (!turns(path.motion.of_a)) return "";
+  return path.dimension == 2 ? fmt::format("turned by the half-angle s/2 {}, then ", exact_text(w.z))
+                             : fmt::format("turned by the quaternion (1, s/2 {}), then ", place_text(w, true));
 }
+
+std::string way_of(const Path& path) { return place_text(path.motion.of_a.v, true, path.dimension); }
 
 std::size_t share_columns(const Path& path) {
   return std::max<std::size_t>(1, 2 * std::to_string(path.steps).size() + 1);
@@ -102,6 +117,9 @@ AlongStep along_step(std::uint32_t number, const mpq_class& share, const Depth& 
           contact ? std::optional(*contact) : std::nullopt};
 }
 
+/// Convex bodies have no such answer.
+AlongStep along_step(std::uint32_t, const mpq_class&, const UnionDepth&) { throw std::logic_error("a path of unions"); }
+
 AlongStep along_step(std::uint32_t number, const mpq_class& share, const SignedDepth& depth) {
   const Contact* const contact = depth.contact();
   return {number,
@@ -116,8 +134,8 @@ AlongStep along_step(std::uint32_t number, const mpq_class& share, const SignedD
 
 /// Returns the heading of the table; `path` determines its width.
 std::string along_text_header(const Path& path) {
-  return fmt::format("{}along {}\n{:<{}}  {:<11}  {:<23}  contact", turn_text(path.motion.of_a),
-                     place_text(path.motion.of_a.v, true), "s", share_columns(path), "status", "signed depth");
+  return fmt::format("{}along {}\n{:<{}}  {:<11}  {:<23}  contact", turn_text(path), way_of(path), "s",
+                     share_columns(path), "status", "signed depth");
 }
 
 std::string along_text_row(const Path& path, const AlongStep& step) {
@@ -156,10 +174,7 @@ class Walk {
  public:
   Walk(const Case& pair, const Path& path, const DepthRequest& request, Monitor& monitor)
       : pair_(pair), path_(path), request_(request), monitor_(monitor) {
-    if (!has_shape(pair)) return;
-    a_ = files::shape_of(pair.a);
-    b_ = files::shape_of(pair.b);
-    require_depth(pair.id, *a_, *b_);
+    if (has_shape(pair)) require_depth(pair.id, files::shape_of(pair.a), files::shape_of(pair.b));
   }
 
   AlongStep at(std::uint32_t number) {
@@ -168,15 +183,12 @@ class Walk {
     const bool b_moves = path_.motion.of_b != Twist();
     Question question = question_of(request_, monitor_, workspace_);
     question.options.optima = 1;  // ties are not printed
-    if (a_)
-      return along_step(
-          number, share,
-          signed_depth(moved(*a_, files::exact_pose(pose_a)), b_moves ? moved(*b_, files::exact_pose(pose_b)) : *b_,
-                       {.cores = question.options, .bits = question.bits}));
+    question.coaxial = true;
     Body a = pair_.a, b = pair_.b;
     files::place(a, pose_a);
     if (b_moves) files::place(b, pose_b);
-    return along_step(number, share, penetration_depth(a, b, question.options));
+    const Answer answer = exact_answer(a, b, question);
+    return std::visit([&](const auto& found) { return along_step(number, share, found); }, answer.found);
   }
 
  private:
@@ -194,7 +206,6 @@ class Walk {
   const Path& path_;
   const DepthRequest& request_;
   Monitor& monitor_;
-  std::optional<Shape> a_, b_;  // nullopt if both bodies are polytopes
   Workspace workspace_;
 };
 
@@ -224,17 +235,18 @@ Json along_object(const Path& path, const std::vector<AlongStep>& steps) {
                       {"status", name(step.status)},
                       {"value", told ? Json(nearest) : Json()},
                       {"signed_depth", depth},
-                      {"direction", output::exact(step.direction)},
+                      {"direction", output::exact(step.direction, path.dimension)},
                       {"contact", step.contact ? output::contact_object(*step.contact) : Json()}});
   }
   Json result{{"schema", "fathom/along/1"},
               {"fathom", FATHOM_VERSION},
               {"id", path.id},
-              {"along", output::exact(path.motion.of_a.v)}};
-  if (turns(path.motion.of_a)) result["turn"] = output::exact(path.motion.of_a.w);
+              {"along", output::exact(path.motion.of_a.v, path.dimension)}};
+  if (path.dimension == 2) result["dimension"] = 2;
+  if (turns(path.motion.of_a)) result["turn"] = output::turn_object(path.motion.of_a.w, path.dimension);
   if (path.motion.of_b != Twist()) {
-    result["along_b"] = output::exact(path.motion.of_b.v);
-    result["turn_b"] = output::exact(path.motion.of_b.w);
+    result["along_b"] = output::exact(path.motion.of_b.v, path.dimension);
+    result["turn_b"] = output::turn_object(path.motion.of_b.w, path.dimension);
   }
   result["steps"] = path.steps;
   result["values"] = values;
@@ -274,11 +286,12 @@ std::vector<AlongStep> walked(const Case& pair, const Path& path, const DepthReq
 ExitCode run_along(const Given& given) {
   const AlongRequest request(given);
   const auto picture = wanted_file(request.svg, "picture");  // fails early for an unwritable path
-  const Case pair = asked_case(request, "--along answers about convex bodies; without it depth takes unions");
+  const Case pair = asked_case(request, "--along answers about convex bodies; without it depth takes unions", "", "");
+  const unsigned dimension = pair.a.dimension;
+  const Path path{pair.id, {request.motion(dimension), {}}, request.steps, dimension};
   const InterruptGuard interrupt_guard;
   Progress progress("steps");
   const AskedCase asked = looked_at(pair, request);
-  const Path path{pair.id, {request.motion, {}}, request.steps};
   const std::vector<AlongStep> steps = walked(pair, path, request, progress, [&](const AlongStep& step) {
     if (step.number == 0) {
       say_about_hulls(asked, !request.json && !request.csv);
@@ -291,9 +304,9 @@ ExitCode run_along(const Given& given) {
   progress.clear();
   if (request.json) print(along_object(path, steps).text());
   if (picture)
-    picture->write(plot::figure_file(along_figure(
-        steps, "along", "Signed depth along a path: " + picture::without_folders(safe_id(path.id)),
-        fmt::format("A is {}moved by s {}", turn_text(path.motion.of_a), place_text(path.motion.of_a.v, true)))));
+    picture->write(plot::figure_file(
+        along_figure(steps, "along", "Signed depth along a path: " + picture::without_folders(safe_id(path.id)),
+                     fmt::format("A is {}moved by s {}", turn_text(path), way_of(path)))));
   return fine;
 }
 

@@ -437,7 +437,7 @@ CertifyRequest::CertifyRequest(const Given& given)
       json(given.flag("--json")),
       jobs(given.integer<unsigned>("--jobs")),
       fit(given.number("--fit")),
-      motion(given.motion()),
+      motion(given.twists().in(3)),
       methods(typed_methods(given.words("--method"))),
       report(given.text("--report")),
       resume(given.flag("--resume")),

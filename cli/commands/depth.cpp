@@ -19,6 +19,7 @@
 #include "fathom/approximate.hpp"
 #include "fathom/certificate.hpp"
 #include "fathom/signed_depth.hpp"
+#include "reference/answer/plane.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/shapes/body_notes.hpp"
@@ -44,17 +45,15 @@ struct Files {
         pictures(request, request.svg, "picture", ".svg") {}
 };
 
-/// Returns why bodies of the plane are refused, or "".
-std::string refuses_plane(const DepthRequest& request) {
-  if (request.one_body) return no_plane;
-  if (request.shallow) return "--method shallow is about bodies of space";
-  if (request.form.manifold()) return "--patch and --twist are about bodies of space";
-  return "";
-}
-
 std::string text_of(const AnsweredCase& answered, const DepthRequest& request) {
   if (request.json) return output::answer_json(answered, request.form);
   return is_stream(request) ? answer_line(answered, request.form) : answer_block(answered, request.form);
+}
+
+Answer shallow_answer(const Body& a, const Body& b, const Options& options) {
+  if (a.dimension == 3) return {shallow_depth(a.points, b.points, options)};
+  const answer::Prisms prisms = answer::prisms_of(a, b);
+  return answer::in_plane(a, b, {shallow_depth(prisms.a.points, prisms.b.points, options)});
 }
 
 }  // namespace
@@ -99,10 +98,10 @@ AnsweredCase answered_by(const AskedCase& asked, const DepthRequest& request, co
     if (request.shallow) throw InputError(single.id, 0, "--method shallow takes polytopes, found a shape that is none");
     if (!one && single.a.shape && b.shape) require_depth(single.id, *single.a.shape, *b.shape);
   } else if (request.shallow || one) {
-    Depth depth = request.shallow ? shallow_depth(single.a.points, b.points, question.options)
-                                  : width(single.a.points, question.options);
-    const BodyFacts facts = depth;
-    return {single.id, {std::move(depth)}, asked.bodies, facts};
+    Answer answer = request.shallow ? shallow_answer(single.a, b, question.options)
+                                    : Answer{width(single.a.points, question.options)};
+    const BodyFacts facts = facts_of(single.a, b, answer);
+    return {single.id, std::move(answer), asked.bodies, facts};
   }
   try {
     if (one && single.a.shape) shapes::require_width(*single.a.shape);
@@ -118,7 +117,7 @@ AnsweredCase answered_by(const AskedCase& asked, const DepthRequest& request, co
 Replies exact_replies(const DepthRequest& request) {
   Replies replies;
   if (request.one_body) replies.refuses_unions = shapes::width_of_union;
-  replies.refuses_plane = refuses_plane(request);
+  replies.refuses_plane = request.one_body ? no_plane : "";
   replies.reply = [&request, files = std::make_shared<Files>(request)](const AskedCase& asked, Monitor& monitor,
                                                                        Workspace& workspace) -> CaseReply {
     const std::unique_ptr<CertificateFile> proof = files->certificates.single();  // fails early for an unwritable path
@@ -127,13 +126,13 @@ Replies exact_replies(const DepthRequest& request) {
     if (!answered.answer.complete()) return {text_of(answered, request), {}, interrupted};
     const Case& single = asked;
     const Body& b = request.one_body ? single.a : single.b;
+    const std::optional<Motion> motion = request.form.twists.in(single.a.dimension);
     if (request.form.manifold())
-      answered.manifold =
-          output::manifold_of(single.a, b, answered.answer, request.form.motion, &monitor, request.form.slack);
+      answered.manifold = output::manifold_of(single.a, b, answered.answer, motion, &monitor, request.form.slack);
     if (!request.certificate.empty() || request.form.certificate) {
       std::vector<Twist> motions;
-      if (const auto& m = request.form.motion)  // of A, with B at rest: of convex bodies it has the same derivative
-        motions.push_back({m->of_a.v - m->of_b.v, m->of_a.w - m->of_b.w});
+      if (motion)  // of A, with B at rest: of convex bodies it has the same derivative
+        motions.push_back({motion->of_a.v - motion->of_b.v, motion->of_a.w - motion->of_b.w});
       answered.certificate =
           output::certificate_of(single.a, b, answered.answer, answered.manifold ? &*answered.manifold : nullptr,
                                  motions, answered.id, &monitor);

@@ -55,6 +55,7 @@ struct Path {
   std::string id;
   Motion motion;
   std::uint32_t steps;
+  unsigned dimension = 3;  ///< 2 of bodies of the plane
 };
 
 /// The answer at one step of the path.

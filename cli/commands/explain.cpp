@@ -122,12 +122,12 @@ page::Motions motions_of(const Case& single, const AnsweredCase& answered, const
     return none("Of curved bodies no motion is followed here, but fathom depth --along does.");
   if (geometry.no_patches)
     return none(fmt::format("No motion is followed, as where they touch is not told: {}.", name(*geometry.no_patches)));
-  if (!request.form.motion && single.a.points.size() + single.b.points.size() > most_points)
+  const std::optional<Motion> typed = request.form.twists.in(3);
+  if (!typed && single.a.points.size() + single.b.points.size() > most_points)
     return none(fmt::format("Bodies of more than {} points are followed along a motion only if --twist names it.",
                             most_points));
   const std::vector<NamedMotion> motions =
-      request.form.motion ? std::vector{NamedMotion{"by the twist", *request.form.motion, steps_of_twist}}
-                          : usual_motions(answered);
+      typed ? std::vector{NamedMotion{"by the twist", *typed, steps_of_twist}} : usual_motions(answered);
   if (motions.empty())
     return none("Bodies without a length that binary64 holds are followed along a motion only if --twist names it.");
   page::Motions result;
@@ -147,7 +147,7 @@ page::Motions motions_of(const Case& single, const AnsweredCase& answered, const
     result.charts.push_back({motion.sentence(), plot::figure_element(figure), repeated_text(path)});
   }
   result.json = data.text();
-  result.of_b = request.form.motion && request.form.motion->of_b != Twist();
+  result.of_b = typed && typed->of_b != Twist();
   return result;
 }
 
@@ -165,7 +165,7 @@ std::string explained_page(const AskedCase& asked, const ExplainRequest& request
   const bool plane = single.a.dimension == 2;
   AnswerForm form = request.depth.form;
   form.patch = !plane;
-  if (!plane) answered.manifold = output::manifold_of(single.a, single.b, answer, form.motion, &monitor);
+  if (!plane) answered.manifold = output::manifold_of(single.a, single.b, answer, form.twists.in(3), &monitor);
   const picture::PairScene scene = answer_scene(single, answered, form);
   const std::string beside = drawn_beside(scene);
   const std::string picture =
@@ -176,7 +176,7 @@ std::string explained_page(const AskedCase& asked, const ExplainRequest& request
     stages::UnionStages stages =
         stages::stages_of(pieces_of(single.a), pieces_of(single.b), *unions, &monitor, single.a.dimension);
     stages.id = single.id;
-    if (form.motion)
+    if (form.twists)
       stages.left_out.emplace_back("Of unions no motion is followed: the facts have the derivative alone.");
     return page::html_page({FATHOM_VERSION, depth, stages, pair, notes, picture, beside});
   }
@@ -193,7 +193,7 @@ ExitCode run_explain(const Given& given) {
   ExplainRequest request(given);
   request.options.times = given.flag("--times");
   CertificateFile file(given.text("--output"), "page");  // fails early for an unwritable path
-  const Case single = asked_case(request.depth, "", "", request.depth.form.motion ? "--twist is about those" : "");
+  const Case single = asked_case(request.depth, "", "", request.depth.form.twists ? "--twist is about those" : "");
   std::string page;
   {
     const InterruptGuard interrupt_guard;

@@ -29,12 +29,12 @@ namespace fathom::cli {
 namespace {
 
 /// Refuses a flat piece of a file, or tells that it is left out.
-bool stays(const std::string& input, const BodiesRequest& request, const files::NamedPiece& piece, std::size_t number) {
+bool stays(const std::string& input, bool skip_flat, const files::NamedPiece& piece, std::size_t number) {
   if (piece.mesh.shape) return true;  // refused by the reader
   if (!answer::is_flat_body(piece.mesh)) return true;
   const std::string which =
       fmt::format("piece {}{}", number, piece.name.empty() ? "" : fmt::format(" ({})", kernels::shown(piece.name)));
-  if (!request.skip_flat)
+  if (!skip_flat)
     throw InputError(
         input, 0,
         fmt::format("{} is flat: the pieces of a union need interiors (--skip-flat goes on without it)", which));
@@ -45,8 +45,9 @@ bool stays(const std::string& input, const BodiesRequest& request, const files::
 /// Returns the body that the input stands for. Adds its robot to those that were read before.
 Body body_of_input(const std::string& input, const BodiesRequest& request, std::vector<files::Robot>& robots) {
   files::InputBody read = files::read_input(
-      input, request.robots, request.joints,
-      [&](const files::NamedPiece& piece, std::size_t number) { return stays(input, request, piece, number); });
+      input, request.robots, request.joints, [&](const files::NamedPiece& piece, std::size_t number) {
+        return stays(input, request.skip_flat, piece, number);
+      });
   const bool again = read.robot && std::ranges::find(robots, read.robot->file, &files::Robot::file) != robots.end();
   if (!again)
     for (const std::string& note : read.notes) talk(note);
@@ -157,6 +158,14 @@ BodiesRequest::BodiesRequest(const Given& given)
   robots.meshes = pieces ? files::MeshAs::pieces : solids ? files::MeshAs::solid : files::MeshAs::hull;
   robots.package_paths = given.words("--package-path");
   joints = files::parse_joints(given.text("--joints"), decimals).value_or(files::JointValues());
+}
+
+Body union_of_input(const std::string& input, Decimals decimals, bool skip_flat) {
+  Body body = files::read_union(input, decimals, [&](const files::NamedPiece& piece, std::size_t number) {
+    return stays(input, skip_flat, piece, number);
+  });
+  for (const std::string& note : files::file_notes(body)) talk(input + ": " + note);
+  return body;
 }
 
 std::vector<Body> bodies_of_inputs(const BodiesRequest& request) {

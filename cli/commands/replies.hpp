@@ -44,6 +44,10 @@ struct BodiesRequest {
 /// its meshes, or one of a stream.
 bool is_stream(const BodiesRequest& request);
 
+/// Returns the union of the pieces of a file or folder, each of which needs an interior. Pieces
+/// without one are left out, and named, or refused.
+Body union_of_input(const std::string& input, Decimals decimals, bool skip_flat);
+
 /// Returns the bodies of the inputs, where the inputs put them: mesh files or folders, shapes in
 /// words, links of robots. Prints notes on robots. Throws InputError.
 std::vector<Body> bodies_of_inputs(const BodiesRequest& request);

@@ -31,11 +31,13 @@ struct SolidRequest {
         certificate(given.text("--certificate")),
         judged(given.text("--judge")),
         decimals(given.flag("--exact-decimals") ? Decimals::exact : Decimals::binary64),
+        skip_flat(given.flag("--skip-flat")),
         exact(given.flag("--exact")),
         json(given.flag("--json")) {}
 
   std::string mesh, output, certificate, judged;
   Decimals decimals;
+  bool skip_flat;  ///< of the pieces to be judged
   bool exact, json;
 };
 
@@ -107,6 +109,7 @@ Solid read_solid(const SolidRequest& request) try {
 /// Of the pieces to be judged, if there are some.
 std::optional<PieceCoverage> read_coverage(const SolidRequest& request, const Solid& solid) try {
   if (request.judged.empty()) return std::nullopt;
+  if (request.skip_flat) return coverage(solid, *union_of_input(request.judged, request.decimals, true).pieces);
   return coverage(solid, read_pieces(request.judged, request.decimals));
 } catch (const std::invalid_argument& error) {
   throw InputError(request.judged, 0, error.what());

@@ -284,8 +284,8 @@ void add_manifold(Rows& rows, const AnsweredCase& answered, const AnswerForm& fo
     rows.emplace_back("smooth", g.smooth() ? "yes" : fmt::format("no: {}", fmt::join(kinks, ", ")));
   }
   if (const std::optional<Gradient> gradient = g.gradient(); form.patch && gradient)
-    rows.emplace_back("gradient", fmt::format("{} by v, {} by w", decimals(gradient->by_translation()),
-                                              decimals(gradient->by_rotation())));
+    rows.emplace_back("gradient", fmt::format("{} by v, {} by w", decimals(gradient->by_translation(), form.dimension),
+                                              spin_text(gradient->by_rotation(), form)));
   if (const auto& derivative = answered.manifold->derivative)
     rows.emplace_back("derivative", rate_text(*derivative, form.exact));
 }

@@ -122,6 +122,10 @@ std::string way_text(const Vector& n, bool exact, unsigned dimension) {
   return exact ? in_full(n, dimension) : decimals(unit(n), dimension);
 }
 
+std::string spin_text(const SurdPoint& w, const AnswerForm& form) {
+  return form.dimension == 2 ? decimal(w[2]) : decimals(w);
+}
+
 AnswerForm::AnswerForm(const Given& given)
     : Shown{given.integer<std::size_t>("--optima"),
             given.integer<unsigned>("--digits"),
@@ -129,10 +133,10 @@ AnswerForm::AnswerForm(const Given& given)
             given.flag("--embed-certificate"),
             given.command == "width",
             given.flag("--patch"),
-            given.number("--patch-slack"),
-            given.motion()},
+            given.number("--patch-slack")},
       exact(given.flag("--exact")),
-      by_default(given.value("--method").value_or("auto") == "auto" && !given.has("--closest-lines")) {}
+      by_default(given.value("--method").value_or("auto") == "auto" && !given.has("--closest-lines")),
+      twists(given.twists()) {}
 
 std::string quantity(const AnswerForm& form) { return form.width ? "width" : "depth"; }
 

@@ -74,7 +74,10 @@ struct AnswerForm : output::Shown {
   bool exact = false;      ///< text: exact numbers instead of decimals
   bool by_default = true;  ///< the user did not choose the method
   unsigned dimension = 3;  ///< 2 of answers about bodies of the plane
+  GivenTwists twists;      ///< the derivative along them
 
+  /// Whether a manifold is needed.
+  [[nodiscard]] bool manifold() const { return patch || twists; }
   /// The same for this answer.
   [[nodiscard]] AnswerForm about(const Answer& answer) const {
     AnswerForm form = *this;
@@ -88,6 +91,9 @@ std::string place_text(const auto& place, const AnswerForm& form) {
   return place_text(place, form.exact, form.dimension);
 }
 inline std::string way_text(const Vector& n, const AnswerForm& form) { return way_text(n, form.exact, form.dimension); }
+
+/// Returns an angular velocity; in the plane one number.
+std::string spin_text(const SurdPoint& w, const AnswerForm& form);
 
 /// A label and its text.
 using Row = std::pair<std::string, std::string>;

@@ -352,7 +352,8 @@ FATHOM_API int fathom_answer_gradient(const fathom_answer* answer, double v[3], 
  * smooth or not. `exact` gets it as fathom_answer_exact does; it and `rate` may be NULL. Further
  * words where it is left out: "unlisted", not all ways out are listed; "touching", of unions;
  * "exact-fit", unions turn, and a way out has no clearance; "many-planes", unions turn, and pieces
- * that touch after a way out have more than one plane between them. */
+ * that touch after a way out have more than one plane between them. Twists of bodies of the plane
+ * must not leave it. */
 FATHOM_API int fathom_answer_derivative(const fathom_answer* answer, const double twist_a[6], const double twist_b[6], double* rate,
                                         char** exact);
 
@@ -553,9 +554,10 @@ typedef struct fathom_judgement {
 FATHOM_API void fathom_claim_init(fathom_claim* claim);
 FATHOM_API void fathom_judgement_init(fathom_judgement* judgement);
 
-/** Judges an answer about A and B, bodies of space of any kind that fathom_depth takes. `sentence`
- * gets what is wrong, for people: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6". It may
- * be NULL. After a failure the judgement is as fathom_judgement_init leaves it. */
+/** Judges an answer about A and B, bodies of any kinds that fathom_depth takes: of two of the plane
+ * no z of the claim is read, but for twists, which must not leave it. `sentence` gets what is
+ * wrong, for people: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6". It may be NULL.
+ * After a failure the judgement is as fathom_judgement_init leaves it. */
 FATHOM_API int fathom_judge(const fathom_body* a, const fathom_body* b, const fathom_claim* claim, fathom_judgement* judgement,
                             char** sentence);
 

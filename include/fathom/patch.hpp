@@ -114,6 +114,7 @@ struct ContactGeometry {
   bool of_unions = false;           ///< of unions there is no gradient
   std::vector<bool> clearance;      ///< of unions, for each way out: see UnionOptimum
   Status cores = Status::disjoint;  ///< where the cores, or the unions, stand
+  unsigned dimension = 3;           ///< 2 of bodies of the plane: then every z is 0
 
   /// Whether there are patches, and of two convex bodies: then it is told if the depth is smooth,
   /// and a certificate can prove them.
@@ -128,7 +129,8 @@ struct ContactGeometry {
 /// and n corners it takes O(m n) steps and as many bytes; bodies that touch are searched for all
 /// planes that separate them, unions that are apart for all nearest pairs of pieces. Throws
 /// std::invalid_argument if the answer cannot be about these bodies, InputError and Interrupted as
-/// exact_answer does.
+/// exact_answer does. Of bodies of the plane patches are points and segments, and their cone is of
+/// directions of the plane.
 ContactGeometry contact_geometry(const Body& a, const Body& b, const Answer& answer, Monitor* monitor = nullptr);
 
 /// A one-sided derivative, over / (under |direction|). Its square is computed when it is asked for.
@@ -147,7 +149,8 @@ struct DirectionalDerivative {
 /// from this moment on: (sigma(s) - sigma(0)) / s for s -> 0+. Only the velocities count, not how
 /// the bodies go on. Exact [proofs/patch.md, Theorem 1; of unions Theorem 4]. One step for each
 /// corner; cubic in the rays of the cone of bodies that touch, and in the contacts of one way out
-/// of unions that turn. Throws std::invalid_argument if a number is not in lowest terms.
+/// of unions that turn. Throws std::invalid_argument if a number is not in lowest terms, or if the
+/// bodies are of the plane and a twist leaves it: only x and y of v, and z of w, may differ from 0.
 std::variant<DirectionalDerivative, LeftOut> directional_derivative(const ContactGeometry& geometry, const Twist& of_a,
                                                                     const Twist& of_b = {});
 

@@ -29,18 +29,6 @@ namespace {
 
 // ---- raising ----
 
-/// Calls `use` with each hull of points that the body consists of: with none of a half-plane.
-template <class Use>
-void for_each_hull(const Body& body, const Use& use) {
-  if (body.pieces) {
-    for (const std::vector<Point>& piece : *body.pieces) use(piece);
-  } else if (!body.shape) {
-    use(body.points.exact());
-  } else if (const auto points = files::points_of(*body.shape)) {
-    use(*points);
-  }
-}
-
 mpq_class extent_along_x(const Body& body) {
   std::optional<mpq_class> low, high;
   for_each_hull(body, [&](const std::vector<Point>& points) {

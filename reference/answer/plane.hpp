@@ -11,12 +11,27 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fathom/answer.hpp"
 #include "fathom/body.hpp"
 #include "fathom/certificate.hpp"
+#include "reference/files/shape_names.hpp"
 
 namespace fathom::answer {
+
+/// Calls `use` with each hull of points that a body consists of: with the points of each piece, or
+/// of the core of a shape; with none if those are no points, as of a half-plane.
+template <class Use>
+void for_each_hull(const Body& body, const Use& use) {
+  if (body.pieces) {
+    for (const std::vector<Point>& piece : *body.pieces) use(piece);
+  } else if (!body.shape) {
+    use(body.points.exact());
+  } else if (const auto points = files::points_of(*body.shape)) {
+    use(*points);
+  }
+}
 
 /// Bodies of space that stand for two bodies of the plane.
 struct Prisms {

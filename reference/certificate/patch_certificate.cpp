@@ -162,6 +162,7 @@ std::string certificate_text(const Body& a, const Body& b, const Answer& answer,
   const kernels::DefaultFloatEnvironment environment;
   if (!geometry.tells_smoothness())
     throw std::invalid_argument("patches of unions and of curved bodies have no certificate");
+  if (answer.prisms) throw std::invalid_argument("patches of bodies of the plane have no certificate");
   ShapeCertificate proof =
       make_certificate(files::shape_of(a), files::shape_of(b), certificate::as_shapes(answer, geometry), monitor);
   proof.id = id;

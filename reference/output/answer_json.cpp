@@ -138,14 +138,15 @@ template <class SomeResult>
 void add_manifold(SomeResult& result, const AnsweredCase& answered, const Shown& shown) {
   if (!answered.manifold) return;
   if (shown.patch) result.manifold = manifold_object(*answered.manifold);
-  if (answered.manifold->derivative) result.derivative = derivative_object(*answered.manifold->derivative);
+  if (answered.manifold->derivative)
+    result.derivative = derivative_object(*answered.manifold->derivative, answered.answer.dimension());
 }
 
 Json on_face(const std::vector<std::uint32_t>& ids) { return ids.empty() ? Json() : Json(ids); }
 
-Json corner_object(const Patch& patch, std::size_t k) {
-  return {{"a", place(patch.a(k))},
-          {"b", place(patch.b(k))},
+Json corner_object(const Patch& patch, std::size_t k, unsigned dimension) {
+  return {{"a", place(patch.a(k), dimension)},
+          {"b", place(patch.b(k), dimension)},
           {"on_a", on_face(patch.corners[k].on_a)},
           {"on_b", on_face(patch.corners[k].on_b)}};
 }
@@ -162,24 +163,21 @@ Json with_features(Json json, const Met& met) {
 }
 
 Json patch_object(const Manifold& manifold, const Patch& patch) {
+  const unsigned dimension = manifold.geometry.dimension;
+  const auto pair = [&](const RoundedWitness& points) { return witness_json(std::optional(points), dimension); };
   Json corners = Json::array();
-  for (std::size_t k = 0; k < patch.corners.size(); ++k) corners.push_back(corner_object(patch, k));
-  const RoundedWitness centroid = patch.centroid();
-  Json result{{"rank", patch.rank()}, {"direction", exact(patch.direction)}};
+  for (std::size_t k = 0; k < patch.corners.size(); ++k) corners.push_back(corner_object(patch, k, dimension));
+  Json result{{"rank", patch.rank()}, {"direction", exact(patch.direction, dimension)}};
   if (manifold.geometry.of_unions) {
     result["optimum"] = patch.way;
     result["pieces"] = std::vector<std::uint32_t>{patch.pieces.first, patch.pieces.second};
   }
   result["corners"] = corners;
-  result["centroid"] = Json{{"a", place(centroid.a)}, {"b", place(centroid.b)}};
+  result["centroid"] = pair(patch.centroid());
   result["size"] = patch.rank() == 0 ? Json() : length(patch.squared(), std::nullopt);
   if (!manifold.with_slack.empty()) {
     const auto& corners = manifold.with_slack[static_cast<std::size_t>(&patch - manifold.geometry.patches.data())];
-    result["with_slack"] = corners ? Json::array_of(*corners,
-                                                    [](const RoundedWitness& corner) {
-                                                      return Json{{"a", place(corner.a)}, {"b", place(corner.b)}};
-                                                    })
-                                   : Json();
+    result["with_slack"] = corners ? Json::array_of(*corners, pair) : Json();
   }
   return with_features(std::move(result), patch);
 }
@@ -339,9 +337,21 @@ Manifold manifold_of(const Body& a, const Body& b, const Answer& answer, const s
 
 std::string certificate_of(const Body& a, const Body& b, const Answer& answer, const Manifold* manifold,
                            std::span<const Twist> motions, std::string_view id, Monitor* monitor) {
-  if (!manifold || !manifold->geometry.tells_smoothness()) return certificate_text(a, b, answer, id, monitor);
+  if (!manifold || !manifold->geometry.tells_smoothness() || answer.prisms)
+    return certificate_text(a, b, answer, id, monitor);
   return certificate_text(a, b, answer, manifold->geometry, motions, id, monitor);
 }
+
+namespace {
+
+/// By a turn of the plane it is one number.
+Json gradient_f64(const Gradient& gradient, unsigned dimension) {
+  const std::array<double, 3> by_w = rounded::nearest_binary64(gradient.by_rotation());
+  return {{"v", numbers(rounded::nearest_binary64(gradient.by_translation()), dimension)},
+          {"w", dimension == 2 ? (std::isfinite(by_w[2]) ? Json(by_w[2]) : Json()) : numbers(by_w)}};
+}
+
+}  // namespace
 
 Json manifold_object(const Manifold& manifold) {
   const ContactGeometry& g = manifold.geometry;
@@ -352,19 +362,20 @@ Json manifold_object(const Manifold& manifold) {
                })}};
   result["smooth"] = smoothness ? Json::boolean(g.smooth()) : Json();
   result["kinks"] = smoothness ? Json::array_of(g.kinks, [](Kink kink) { return Json(name(kink)); }) : Json();
-  result["gradient"] = gradient ? Json{{"normal", exact(gradient->normal)}, {"point", exact(gradient->point)}} : Json();
-  result["gradient_f64"] = gradient ? Json{{"v", numbers(rounded::nearest_binary64(gradient->by_translation()))},
-                                           {"w", numbers(rounded::nearest_binary64(gradient->by_rotation()))}}
-                                    : Json();
+  const unsigned dimension = g.dimension;
+  result["gradient"] =
+      gradient ? Json{{"normal", exact(gradient->normal, dimension)}, {"point", exact(gradient->point, dimension)}}
+               : Json();
+  result["gradient_f64"] = gradient ? gradient_f64(*gradient, dimension) : Json();
   result["vertex_weights"] =
       manifold.weights ? Json{{"a", weights_array(manifold.weights->a)}, {"b", weights_array(manifold.weights->b)}}
                        : Json();
-  if (g.cone) result["optimal_cone"] = cone_object(*g.cone);
+  if (g.cone) result["optimal_cone"] = cone_object(*g.cone, dimension);
   if (g.no_patches) result["left_out"] = name(*g.no_patches);
   return result;
 }
 
-Json derivative_object(const std::variant<DirectionalDerivative, LeftOut>& derivative) {
+Json derivative_object(const std::variant<DirectionalDerivative, LeftOut>& derivative, unsigned dimension) {
   if (const LeftOut* const reason = std::get_if<LeftOut>(&derivative)) return {{"left_out", name(*reason)}};
   const DirectionalDerivative& d = std::get<DirectionalDerivative>(derivative);
   const Surd value = d.value();
@@ -376,7 +387,7 @@ Json derivative_object(const std::variant<DirectionalDerivative, LeftOut>& deriv
   const bool told = std::isfinite(nearest) && (nearest != 0 || d.sign() == 0);
   return {{"rate", rate},
           {"value", told ? Json(nearest) : Json()},
-          {"direction", exact(d.direction)},
+          {"direction", exact(d.direction, dimension)},
           {"patch", d.patch},
           {"corner", d.corner}};
 }

@@ -57,10 +57,6 @@ struct Shown {
   bool width = false;                      ///< the answer is about one body, against itself
   bool patch = false;                      ///< where the bodies touch
   std::optional<mpq_class> slack = {};     ///< and the patches with this slack
-  std::optional<Motion> motion = {};       ///< the derivative along it
-
-  /// Whether a manifold is needed.
-  [[nodiscard]] bool manifold() const { return patch || motion; }
 };
 
 /// One line, without its newline. Pure ASCII whatever the id holds.
@@ -69,7 +65,7 @@ std::string answer_json(const AnsweredCase& answered, const Shown& shown);
 /// The fields "manifold" and "derivative". Of polytopes that touch the first has their cone, of
 /// unions each patch its pieces.
 Json manifold_object(const Manifold& manifold);
-Json derivative_object(const std::variant<DirectionalDerivative, LeftOut>& derivative);
+Json derivative_object(const std::variant<DirectionalDerivative, LeftOut>& derivative, unsigned dimension = 3);
 
 /// Returns the line for a case of a stream that has no result.
 std::string json_error(const std::string& id, std::size_t line, std::string_view error);

@@ -111,6 +111,8 @@ Json exact(const mpq_class& q) {
 Json exact(const Point& p, unsigned dimension) { return exact_array(p, dimension); }
 Json exact(const Vector& v, unsigned dimension) { return exact_array(v, dimension); }
 
+Json turn_object(const Point& w, unsigned dimension) { return dimension == 2 ? exact(w.z) : exact(w); }
+
 Json length(const mpq_class& squared, const std::optional<unsigned>& digits) {
   return length(squared, kernels::roundings_of_root(squared), digits);
 }

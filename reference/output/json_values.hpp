@@ -32,6 +32,8 @@ Json exact(const mpq_class& q);
 // `dimension`: 2 in the plane, where the third coordinate, which is 0, is left out.
 Json exact(const Point& p, unsigned dimension = 3);
 Json exact(const Vector& v, unsigned dimension = 3);
+/// An angular velocity: in the plane one number.
+Json turn_object(const Point& w, unsigned dimension);
 
 /// A length by its exact square, with roundings, and an enclosure if digits are given.
 Json length(const mpq_class& squared, const std::optional<unsigned>& digits);

@@ -419,6 +419,10 @@ std::variant<DirectionalDerivative, LeftOut> directional_derivative(const Contac
   for (const Twist* const twist : {&of_a, &of_b})
     for (const Point* const part : {&twist->v, &twist->w})
       for (const mpq_class* const c : {&part->x, &part->y, &part->z}) kernels::require_lowest_terms(*c);
+  for (const auto& [v, w] : {of_a, of_b})
+    if (geometry.dimension == 2 && (v.z != 0 || w.x != 0 || w.y != 0))
+      throw std::invalid_argument(
+          "a twist of a body of the plane leaves it: of v only x and y, of w only z may be set");
   if (geometry.no_first_order) return *geometry.no_first_order;
   if (geometry.cone) return patch::by_cone(geometry, of_a, of_b);
   if (geometry.of_unions && geometry.cores == Status::penetrating) return patch::by_ways(geometry, of_a, of_b);

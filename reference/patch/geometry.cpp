@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fathom/patch.hpp"
+#include "fathom/plane.hpp"
 #include "kernels/context.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
@@ -18,7 +19,6 @@
 #include "reference/rounded/optimal_cone.hpp"
 #include "reference/shapes/core.hpp"
 #include "reference/solve/depth.hpp"
-#include "reference/solve/require_space.hpp"
 
 namespace fathom::patch {
 namespace {
@@ -39,6 +39,26 @@ void find_kinks(ContactGeometry& geometry, std::size_t optima) {
     add_kink(geometry, Kink::cone);
 }
 
+/// All directions that separate two bodies by points that touch, and the faces in one of these.
+rounded::PlanesBetween between(const CorePoints& a, const CorePoints& b, unsigned dimension, const Touch& touch,
+                               Monitor* monitor) {
+  if (dimension == 3) {
+    kernels::Context context(monitor);
+    return rounded::planes_between(context, std::nullopt, a.exact(), b.exact(), touch);
+  }
+  // Of shapes the answer has these, as those of the plane.
+  const auto as_shape = [](const CorePoints& points) {
+    Body body;
+    body.shape = Shape{hull(points.exact()).core, 0};
+    return in_plane(std::move(body));
+  };
+  Question question;
+  question.options.monitor = monitor;
+  Answer answer = exact_answer(as_shape(a), as_shape(b), question);
+  SignedDepth& found = std::get<SignedDepth>(answer.found);
+  return {*std::move(found.cone), *found.contact()};
+}
+
 ContactGeometry of_polytopes(const Body& body_a, const Body& body_b, const Depth& depth, const OptimalCone* cone,
                              const Contact* contact, Monitor* monitor) {
   const CorePoints a(body_a), b(body_b);
@@ -54,8 +74,10 @@ ContactGeometry of_polytopes(const Body& body_a, const Body& body_b, const Depth
   if (const Penetration* const penetration = depth.penetration()) {
     geometry.patches.reserve(penetration->optima.size());
     for (const Optimum& optimum : penetration->optima) {
-      geometry.patches.push_back(shared_inside(
-          {optimum.direction, points_a, optimum.contact.a, points_b, optimum.contact.b}, optimum.support));
+      const MeetingFaces faces{optimum.direction, points_a, optimum.contact.a, points_b, optimum.contact.b};
+      // In the plane edges are parallel.
+      geometry.patches.push_back(body_a.dimension == 2 ? shared(faces, optimum.support)
+                                                       : shared_inside(faces, optimum.support));
       geometry.patches.back().way = geometry.patches.size() - 1;
     }
     optima = penetration->optima.size() + penetration->unlisted;
@@ -65,10 +87,7 @@ ContactGeometry of_polytopes(const Body& body_a, const Body& body_b, const Depth
                                       dot(apart->direction, apart->translation)));
   } else {
     std::optional<rounded::PlanesBetween> planes;
-    if (cone == nullptr || contact == nullptr) {
-      kernels::Context context(monitor);
-      planes = rounded::planes_between(context, std::nullopt, a.exact(), b.exact(), *depth.touch());
-    }
+    if (cone == nullptr || contact == nullptr) planes = between(a, b, body_a.dimension, *depth.touch(), monitor);
     geometry.cone = planes ? std::move(planes->cone) : *cone;
     const Contact& faces = planes ? planes->contact : *contact;
     const Vector n = geometry.cone->direction();
@@ -101,9 +120,12 @@ ContactGeometry of_half_space(const Body& a, const Body& b, const PlaneSupport& 
 
 // ---- unions ----
 
-/// Whether the faces span a plane: then it is the only one between pieces that touch there.
-bool span_a_plane(const Contact& contact, const std::vector<Point>& a, const std::vector<Point>& b) {
+/// Whether the faces span a plane, in the plane a line: then it is the only one between pieces that
+/// touch there.
+bool span_a_plane(const Contact& contact, const std::vector<Point>& a, const std::vector<Point>& b,
+                  unsigned dimension) {
   const std::vector<std::uint32_t>&of_a = contact.a, &of_b = contact.b;
+  if (dimension == 2) return of_a.size() > 1 || of_b.size() > 1;
   if (of_a.size() > 2 || of_b.size() > 2) return true;
   return of_a.size() == 2 && of_b.size() == 2 && cross(a[of_a[1]] - a[of_a[0]], b[of_b[1]] - b[of_b[0]]) != Point{};
 }
@@ -140,7 +162,8 @@ void add_nearest(ContactGeometry& geometry, const Pieces& a, const Pieces& b, co
     }
 }
 
-ContactGeometry of_unions(const Pieces& a, const Pieces& b, const UnionDepth& depth, Monitor* monitor) {
+ContactGeometry of_unions(const Pieces& a, const Pieces& b, const UnionDepth& depth, unsigned dimension,
+                          Monitor* monitor) {
   ContactGeometry geometry;
   geometry.of_unions = true;
   geometry.cores = depth.status;
@@ -156,7 +179,7 @@ ContactGeometry of_unions(const Pieces& a, const Pieces& b, const UnionDepth& de
           geometry.patches.emplace_back(shared_after(t, {c.direction, a[c.a], c.contact.a, b[c.b], c.contact.b}));
       patch.pieces = {c.a, c.b};
       patch.way = way;
-      patch.one_plane = span_a_plane(c.contact, a[c.a], b[c.b]);
+      patch.one_plane = span_a_plane(c.contact, a[c.a], b[c.b], dimension);
     }
     geometry.clearance.push_back(depth.optima[way].clearance);
   }
@@ -253,12 +276,16 @@ namespace fathom {
 
 ContactGeometry contact_geometry(const Body& a, const Body& b, const Answer& answer, Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
-  solve::require_space(a, b, "a contact patch");
+  const unsigned dimension = answer.dimension();
+  if (a.dimension != dimension || b.dimension != dimension)
+    throw std::invalid_argument("the answer is about other bodies");
+  ContactGeometry geometry;
   if (const Depth* const depth = std::get_if<Depth>(&answer.found))
-    return patch::of_polytopes(a, b, *depth, nullptr, nullptr, monitor);
-  if (const SignedDepth* const shapes = std::get_if<SignedDepth>(&answer.found))
-    return patch::of_shapes(a, b, *shapes, monitor);
-  ContactGeometry geometry = patch::of_unions(pieces_of(a), pieces_of(b), std::get<UnionDepth>(answer.found), monitor);
+    geometry = patch::of_polytopes(a, b, *depth, nullptr, nullptr, monitor);
+  else if (const SignedDepth* const shapes = std::get_if<SignedDepth>(&answer.found))
+    geometry = patch::of_shapes(a, b, *shapes, monitor);
+  else geometry = patch::of_unions(pieces_of(a), pieces_of(b), std::get<UnionDepth>(answer.found), dimension, monitor);
+  geometry.dimension = dimension;
   if (!a.solid && !b.solid) return geometry;
   const patch::SolidSurfaces surfaces(a, b);
   for (Patch& patch : geometry.patches) surfaces.name(patch, patch);

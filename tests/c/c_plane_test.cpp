@@ -124,10 +124,61 @@ TEST(PlaneInC, WhatIsRefused) {
   fathom_claim_init(&claim);
   fathom_judgement judgement;
   fathom_judgement_init(&judgement);
+  EXPECT_EQ(fathom_judge(flat.get(), cube.get(), &claim, &judgement, nullptr), FATHOM_BAD_INPUT);
+  EXPECT_EQ(fathom_last_error(), std::string(mixed));
+  const double leaving[6] = {0, 0, 0, 1, 0, 0};
+  double rate = 0;
+  const std::string sentence = "a twist of a body of the plane leaves it: of v only x and y, of w only z may be set";
+  EXPECT_EQ(fathom_answer_derivative(answer_about(flat, flat).get(), leaving, nullptr, &rate, nullptr),
+            FATHOM_BAD_INPUT);
+  EXPECT_EQ(fathom_last_error(), sentence);
+  claim.has_derivative = 1;
+  claim.twist_a[3] = 1;
   EXPECT_EQ(fathom_judge(flat.get(), flat.get(), &claim, &judgement, nullptr), FATHOM_BAD_INPUT);
-  EXPECT_EQ(fathom_last_error(), std::string("fathom_judge takes bodies of space, found a body of the plane"));
-  size_t count = 0;
-  EXPECT_EQ(fathom_answer_patches(answer_about(flat, flat).get(), &count), FATHOM_BAD_INPUT);
+  EXPECT_EQ(fathom_last_error(), sentence);
+}
+
+TEST(PlaneInC, PatchesAndRatesHaveNoZ) {
+  const AnswerHandle answer = answer_about(polygon(square), polygon({0.75, 0.25, 3, 0.25, 3, 0.5, 0.75, 0.5}));
+  size_t patches = 0, corners = 0;
+  EXPECT_EQ(fathom_answer_patches(answer.get(), &patches), FATHOM_OK);
+  EXPECT_EQ(patches, 1u);
+  double direction[3], size = 0, a[3], b[3], rate = 0;
+  EXPECT_EQ(fathom_answer_patch(answer.get(), 0, &corners, direction, &size, nullptr, nullptr), FATHOM_OK);
+  EXPECT_EQ(corners, 2u);
+  EXPECT_EQ(size, 0.25);
+  EXPECT_EQ(direction[2], 0);
+  EXPECT_EQ(fathom_answer_patch_corner(answer.get(), 0, 1, a, b), FATHOM_OK);
+  EXPECT_TRUE(a[2] == 0 && b[2] == 0 && a[0] == 1 && b[0] == 0.75);
+  const double turn[6] = {0, 0, 0, 0, 0, 1};
+  EXPECT_EQ(fathom_answer_derivative(answer.get(), turn, nullptr, &rate, nullptr), FATHOM_OK) << fathom_last_error();
+  EXPECT_EQ(rate, -0.25);  // at the height 1/4 of the patch the edge recedes least
+  char* json = nullptr;
+  EXPECT_EQ(fathom_answer_manifold_json(answer.get(), "p", turn, nullptr, &json), FATHOM_OK);
+  EXPECT_NE(taken(json).find("\"direction\":[\"-1\",\"0\"]"), std::string::npos);
+}
+
+TEST(PlaneInC, ClaimsAreJudged) {
+  const BodyHandle a = polygon(square), b = polygon({0.75, 0.25, 3, 0.25, 3, 0.5, 0.75, 0.5});
+  fathom_claim claim;
+  fathom_claim_init(&claim);
+  claim.overlap = claim.has_depth = claim.has_direction = 1;
+  claim.depth = 0.25;
+  claim.direction[0] = -1;
+  claim.direction[2] = 7;  // is not read
+  fathom_judgement judgement;
+  fathom_judgement_init(&judgement);
+  ASSERT_EQ(fathom_judge(a.get(), b.get(), &claim, &judgement, nullptr), FATHOM_OK) << fathom_last_error();
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS);
+  EXPECT_EQ(judgement.signed_depth, 0.25);
+  claim.depth = 0.5;
+  ASSERT_EQ(fathom_judge(a.get(), b.get(), &claim, &judgement, nullptr), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_TOO_DEEP);
+  // Two circles: by proved bounds.
+  const BodyHandle disc = in_plane_of(shape_of("sphere:r=1,at=0:3:0"));
+  claim.depth = 2;
+  ASSERT_EQ(fathom_judge(disc.get(), disc.get(), &claim, &judgement, nullptr), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS);
 }
 
 }  // namespace

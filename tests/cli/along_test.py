@@ -8,7 +8,7 @@ import xml.etree.ElementTree as xml
 from decimal import Decimal, localcontext
 from fractions import Fraction
 
-from harness import DATA, CliTest, box
+from harness import DATA, ROOT, CliTest, box
 
 CUBE, ICOSAHEDRON = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
 NAME = "{http://www.w3.org/2000/svg}"
@@ -18,6 +18,9 @@ PATHS = [(CUBE, CUBE, "2,0,0", 32), (CUBE, ICOSAHEDRON, "3,1/3,-0.1", 16), (ICOS
 # Paths on which A is turned too.
 TURNS = [(CUBE, ICOSAHEDRON, "3,1/3,-0.1,1,-1/2,2/3", 9), ("capsule:r=1/3,half_length=1", CUBE, "0,0,0,1,0,0", 5),
          (CUBE, "halfspace:normal=1:2:3,offset=0", "0,0,1,0,0.3,0", 4)]
+# Bodies of the plane, which turn by the half-angle s W/2.
+KITE, PLATE = (str(ROOT / "examples" / "data" / name) for name in ("kite.txt", "plate.svg"))
+PLANE = [(KITE, PLATE, "-4,0", 8), (PLATE, KITE, "1,1/3,1", 5), (KITE, KITE, "0,0,-1/2", 3)]
 CURVED = ("cylinder:r=1,half_length=1", "cone:r=1,half_length=1", "3,0,1", 8)
 
 
@@ -57,6 +60,22 @@ class Along(CliTest):
                     single = self.placed(a, b, path, Fraction(value["s"]))
                     for field in ("status", "signed_depth", "direction", "contact"):
                         self.assertEqual(value[field], single[field], field)
+
+    def test_in_the_plane(self):
+        for a, b, path, steps in PLANE:
+            x, y, w = (vector(path) + [Fraction(0)])[:3]
+            found = self.curve(a, b, path, steps)
+            self.assertEqual((found["dimension"], found["along"], found.get("turn")), (2, [str(x), str(y)], str(w) if w else None))
+            for value in found["values"]:
+                single = self.placed(a, b, f"{x},{y},0,0,0,{w}", Fraction(value["s"]))
+                for field in ("status", "signed_depth", "direction", "contact"):
+                    self.assertEqual(value[field], single[field], field)
+            rate = number(self.result("depth", f"--twist={x},{y},{w}", a, b)["derivative"]["rate"]["exact"])
+            tiny = ",".join(str(part / 10 ** 12) for part in (x, y, w))
+            start, end = [number(value["signed_depth"]["exact"]) for value in self.curve(a, b, tiny, 1)["values"]]
+            self.assertLess(abs((end - start) * 10 ** 12 - rate), Decimal("1e-9"), path)
+            turned = "turned by the half-angle s/2 " + str(w) + ", then " if w else ""
+            self.assertIn(f"{turned}along ({x}, {y})\n", self.answer("depth", f"--along={path}", a, b))
 
     def test_is_continuous(self):
         for a, b, path, steps in PATHS:

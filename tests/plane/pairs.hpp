@@ -34,6 +34,14 @@ inline Points moved(Points points, const Point& by) {
   return points;
 }
 
+/// In space.
+inline Points prism(const Points& points, long half) {
+  Points result;
+  for (const long z : {-half, half})
+    for (const Point& p : points) result.push_back({p.x, p.y, z});
+  return result;
+}
+
 /// With integer corners near those of a regular polygon, which is turned by some steps.
 inline Points regular(long count, long turn, long radius) {
   Points points;

@@ -12,7 +12,6 @@
 
 #include "fathom/files.hpp"
 #include "fathom/overlap.hpp"
-#include "fathom/patch.hpp"
 #include "fathom/union.hpp"
 #include "reference/answer/plane.hpp"
 #include "reference/files/cases.hpp"
@@ -21,13 +20,6 @@
 
 namespace fathom::plane {
 namespace {
-
-Points prism(const Points& points, long half) {
-  Points result;
-  for (const long z : {-half, half})
-    for (const Point& p : points) result.push_back({p.x, p.y, z});
-  return result;
-}
 
 Case read(const std::string& bodies) {
   const CaseItem item = parse_case("{\"dimension\": 2, " + bodies + "}", "test");
@@ -323,7 +315,6 @@ TEST(Plane, WhatIsNoBodyOfThePlaneIsRefused) {
   EXPECT_THROW(exact_answer(point, space), std::invalid_argument);
   EXPECT_THROW(exact_answer(space, point), std::invalid_argument);
   EXPECT_THROW(penetration_depth(point, point), std::invalid_argument);
-  EXPECT_THROW(contact_geometry(point, point, exact_answer(point, point)), std::invalid_argument);
 }
 
 TEST(Plane, IsReadFromPointsAndDrawings) {

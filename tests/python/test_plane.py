@@ -140,7 +140,6 @@ def test_one_of_each(ask):
     ("metric", lambda: fathom.metric(CUBE, CUBE, SQUARE)),
     ("approx", lambda: fathom.approx(SQUARE, SQUARE, 1)),
     ("study", lambda: fathom.study(SQUARE, SQUARE)),
-    ("judge", lambda: fathom.judge(SQUARE, SQUARE, overlap=True)),
     ("Prepared", lambda: fathom.Prepared(SQUARE)),
     ("solid", lambda: fathom.solid(SQUARE)),
     ("coverage", lambda: fathom.coverage(SQUARE, SQUARE)),
@@ -178,3 +177,48 @@ def test_bad_shapes():
         with pytest.raises(ValueError, match=sentence):
             make()
 
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_patches_and_rates_as_of_prisms(seed):
+    a, b = polygons(seed)
+    flat, thick = fathom.depth(a, b), fathom.depth(prism(a, 64), prism(b, 64))
+    ways = {patch.normal[:2]: {(*corner.b[:2],) for corner in patch.corners} for patch in thick.patches}
+    assert {patch.normal: {corner.b for corner in patch.corners} for patch in flat.patches} == ways
+    assert all(patch.rank < 2 and patch.a_f64.shape == (len(patch.corners), 2) and len(patch.centroid[0]) == 2 for patch in flat.patches)
+    rate, space = flat.derivative((1, 2), -1, v_b=(0, 1), w_b="1/3"), thick.derivative((1, 2, 0), (0, 0, -1), (0, 1, 0), (0, 0, "1/3"))
+    assert (rate.sign, rate.root) == (space.sign, space.root) and len(rate.normal) == 2
+    assert flat.derivative().sign == 0
+
+
+def test_gradients():
+    hit = fathom.depth([(0, -1), (3, 3), (-3, 3)], SQUARE * 9 - 9 + [4, 0])
+    assert hit.smooth and hit.gradient.v.tolist() == [0, -1] and hit.gradient.w == 0 and hit.gradient.point == (0, -1)
+    assert hit.derivative((0, 2), 9).value == -2
+    with pytest.raises(ValueError, match="v: expected two numbers"):
+        hit.derivative((0, 2, 1))
+    with pytest.raises(TypeError, match="w: "):
+        hit.derivative((0, 2), (0, 0, 1))
+    touching = fathom.depth(SQUARE, SQUARE + [1, 1])
+    assert touching.optimal_cone.rays == ((-1, 0), (0, -1)) and touching.kinks == ("cone",)
+
+
+def test_judge():
+    there = SQUARE + [0.75, 0.25]
+    right = fathom.judge(SQUARE, there, overlap=True, depth=0.25, direction=(-1, 0), witness=((1, 0.5), (0.75, 0.5)))
+    assert right.passed and right.depth_squared == Fraction(1, 16)
+    assert fathom.judge(SQUARE, there, overlap=True, depth=0.75, direction=(0, -1)).verdict == "too-deep"
+    assert fathom.judge(SQUARE, there, overlap=False).verdict == "false-separation"
+    assert fathom.judge(SQUARE, SQUARE + 3, overlap=False, distance=1.0).verdict == "too-near"
+    rate = fathom.judge(SQUARE, there, overlap=True, depth=0.25, derivative=1.0, v=(1, 0), w=0)
+    assert rate.passed and rate.derivative["squared"] == 1
+    assert fathom.judge(SQUARE, there, overlap=True, derivative=-1.0, v=(1, 0)).verdict == "wrong-derivative"
+    discs = fathom.judge(plane.circle(1), plane.circle(1), overlap=True, depth=2.0, direction=(0, 1))
+    assert discs.passed and fathom.judge(fathom.union([SQUARE]), fathom.union([there]), overlap=True, depth=0.25, direction=(-1, 0)).passed
+    contacts = [((0.75, 0.25), 0.25), ((1, 1), 0.25)]
+    assert fathom.judge(SQUARE, there, overlap=True, depth=0.25, direction=(-1, 0), contacts=contacts, manifold=(2, 0)).passed
+    for field in ("direction", "witness"):
+        with pytest.raises(ValueError, match=f"{field}: expected two numbers"):
+            fathom.judge(SQUARE, there, overlap=True, depth=0.25, **{field: (1, 0, 0) if field == "direction" else ((0, 0, 0), (0, 0, 0))})
+    with pytest.raises(ValueError, match=MIXED):
+        fathom.judge(SQUARE, CUBE, overlap=True)

@@ -15,6 +15,7 @@
 #include "fathom/files.hpp"
 #include "fathom/judge.hpp"
 #include "kernels/vector.hpp"
+#include "reference/answer/plane.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/judge/claim.hpp"
 
@@ -76,15 +77,7 @@ void for_each_hull(Body& body, Change change) {
   body.pieces = std::make_shared<const Pieces>(std::move(pieces));
   body.solid = nullptr;  // its pieces are others now
 }
-template <class Look>
-void for_each_hull(const Body& body, Look look) {
-  if (body.shape && body.dimension == 2) {
-    const std::vector<Point> core = core_of(body);
-    return look(core);
-  }
-  if (!body.pieces) return look(body.points.exact());
-  for (const std::vector<Point>& piece : *body.pieces) look(piece);
-}
+using answer::for_each_hull;
 
 /// Calls visit(mpq_class&) for every coordinate of both bodies; for a body with a description, for
 /// its lengths, and for its slopes too, if `visit` is to have them. Changes by `visit` are made in

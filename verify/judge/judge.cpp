@@ -429,7 +429,7 @@ Judgement with_derivative(Judgement judgement, const AnyKnown& truth, const Ques
   if (!asked.motion || !asked.reply.derivative) return judgement;
   const DerivativeJudgement& found = judgement.derivative.emplace(
       judged_derivative(body_of(truth.a), body_of(truth.b), Answer{truth.depth}, *asked.motion, asked.reply,
-                        asked.conventions, asked.format, asked.tolerance, asked.monitor));
+                        asked.conventions, asked.format, asked.tolerance, truth.dimension, asked.monitor));
   if (!found.sentence.empty())
     add_finding(judgement, std::isfinite(*asked.reply.derivative) ? Verdict::wrong_derivative : Verdict::nan,
                 found.sentence);

@@ -416,25 +416,31 @@ mpq_class largest_speed(const Body& body, const Twist& twist) {
 
 Twist reversed(const Twist& twist) { return {-twist.v, -twist.w}; }
 
-/// Returns the body's point: that of the core, moved outward by the radius.
-std::string point_text(const RoundedPoint& point) {
-  const auto [x, y, z] = rounded::nearest_binary64(point);
-  return fmt::format("({:.4g}, {:.4g}, {:.4g})", x, y, z);
+/// With dimension 2 x and y alone.
+std::string in_brackets(double x, double y, double z, unsigned dimension) {
+  return dimension == 2 ? fmt::format("({:.4g}, {:.4g})", x, y) : fmt::format("({:.4g}, {:.4g}, {:.4g})", x, y, z);
 }
 
-std::string direction_text(const Vector& n) {
+/// Returns the body's point: that of the core, moved outward by the radius.
+std::string point_text(const RoundedPoint& point, unsigned dimension) {
+  const auto [x, y, z] = rounded::nearest_binary64(point);
+  return in_brackets(x, y, z, dimension);
+}
+
+std::string direction_text(const Vector& n, unsigned dimension) {
   const auto share = [&](const mpz_class& c) {
     return kernels::nearest_binary64({0, mpq_class(c * abs(c)) / mpq_class(dot(n, n))});
   };
-  return fmt::format("({:.4g}, {:.4g}, {:.4g})", share(n.x), share(n.y), share(n.z));
+  return in_brackets(share(n.x), share(n.y), share(n.z), dimension);
 }
 
 /// Finds a well-known other rate that equals a wrong claim, by comparing the numbers alone.
 class Instead {
  public:
   Instead(const ContactGeometry& geometry, const Motion& motion, const DirectionalDerivative& right, mpq_class claimed,
-          const mpq_class& allowed)
-      : geometry_(geometry),
+          const mpq_class& allowed, unsigned dimension)
+      : dimension_(dimension),
+        geometry_(geometry),
         motion_(motion),
         right_(right),
         squared_(right.value().root),
@@ -491,17 +497,17 @@ class Instead {
         rates.push_back(rate_at(patch.direction, patch.a(k).core, patch.b(k).core));
       const auto greatest = std::ranges::max_element(rates);
       if (is(*greatest))
-        return fmt::format("the rate along {} alone, where {}", direction_text(patch.direction),
+        return fmt::format("the rate along {} alone, where {}", direction_text(patch.direction, dimension_),
                            geometry_.cone ? "each direction that separates the cores counts"
                                           : fmt::format("each shortest way out counts as well, and {} decides",
-                                                        direction_text(right_.direction)));
+                                                        direction_text(right_.direction, dimension_)));
       for (std::size_t k = 0; k < rates.size(); ++k)
         if (is(rates[k]))
-          return fmt::format("the rate at the contact point {} alone, where each counts{}", point_text(patch.a(k)),
-                             decisive(", and "));
+          return fmt::format("the rate at the contact point {} alone, where each counts{}",
+                             point_text(patch.a(k), dimension_), decisive(", and "));
       const RoundedWitness middle = patch.centroid();
       if (is(rate_at(patch.direction, middle.a.core, middle.b.core)))
-        return fmt::format("the rate at the middle of the contact patch, {}{}", point_text(middle.a),
+        return fmt::format("the rate at the middle of the contact patch, {}{}", point_text(middle.a, dimension_),
                            decisive(", where "));
     }
     return "";
@@ -511,9 +517,11 @@ class Instead {
   /// decide together then.
   [[nodiscard]] std::string decisive(std::string_view before) const {
     if (geometry_.cone) return "";
-    return fmt::format("{}{} decides", before, point_text(geometry_.patches.at(right_.patch).a(right_.corner)));
+    return fmt::format("{}{} decides", before,
+                       point_text(geometry_.patches.at(right_.patch).a(right_.corner), dimension_));
   }
 
+  unsigned dimension_;  // of the bodies that are judged
   const ContactGeometry& geometry_;
   const Motion& motion_;
   const DirectionalDerivative& right_;
@@ -530,7 +538,7 @@ mpq_class largest_speed(const Body& a, const Body& b, const Motion& motion) {
 
 DerivativeJudgement judged_derivative(const Body& a, const Body& b, const Answer& answer, const Motion& motion,
                                       const Reply& reply, const Conventions& conventions, const NumberFormat& format,
-                                      const Tolerance& tolerance, Monitor* monitor) {
+                                      const Tolerance& tolerance, unsigned dimension, Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
   const double claimed = reply.derivative.value();
   DerivativeJudgement result;
@@ -539,7 +547,8 @@ DerivativeJudgement judged_derivative(const Body& a, const Body& b, const Answer
     result.sentence = fmt::format("the derivative is {}", claimed);
     return result;
   }
-  const ContactGeometry geometry = contact_geometry(a, b, answer, monitor);
+  ContactGeometry geometry = contact_geometry(a, b, answer, monitor);
+  geometry.dimension = dimension;  // the motion must not leave the plane
   for (const Kink kink : geometry.kinks) result.kinks.emplace_back(name(kink));
   const auto found = directional_derivative(geometry, motion.of_a, motion.of_b);
   if (const LeftOut* const why = std::get_if<LeftOut>(&found)) {
@@ -557,7 +566,7 @@ DerivativeJudgement judged_derivative(const Body& a, const Body& b, const Answer
   result.sentence = fmt::format("the derivative is wrong by {:.4g}: {} is claimed, {} is right",
                                 std::abs(*result.error), result.claimed, length_text(squared, 6));
   const std::string instead =
-      Instead(geometry, motion, right, rate, allowed).told(exact_claim(reply, conventions, format.exponent));
+      Instead(geometry, motion, right, rate, allowed, dimension).told(exact_claim(reply, conventions, format.exponent));
   if (!instead.empty()) result.sentence += "; it is " + instead;
   return result;
 }

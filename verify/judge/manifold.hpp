@@ -132,10 +132,12 @@ mpq_class unlike_squared(const Vector& n, std::span<const Point> xs, std::span<c
 
 /// Judges the derivative that the reply claims about these bodies, whose answer is known. A
 /// difference of more than the tolerance times the largest speed of a point is wrong. Other fields
-/// of the reply serve to find which other rate a wrong claim equals. Throws Interrupted.
+/// of the reply serve to find which other rate a wrong claim equals. `dimension`: 2 if these stand
+/// for bodies of the plane. Throws Interrupted, and std::invalid_argument if the motion leaves the
+/// plane.
 DerivativeJudgement judged_derivative(const Body& a, const Body& b, const Answer& answer, const Motion& motion,
                                       const Reply& reply, const Conventions& conventions, const NumberFormat& format,
-                                      const Tolerance& tolerance, Monitor* monitor = nullptr);
+                                      const Tolerance& tolerance, unsigned dimension, Monitor* monitor = nullptr);
 
 /// Returns the largest speed that the motion gives a point of either body, rounded up by 2^-40 of
 /// itself. A half-space has the points of the other body. A curved core counts as O.

@@ -230,7 +230,8 @@ class PairAnswer(_Answer, ContactAnswer):
 
     def certificate(self, id: str = "", patches: bool = False) -> str:
         """A proof of the answer as text, which `check` and two other checkers read (verify/check/FORMAT.md). With `patches` it proves these
-        too, unless they are of unions, or `left_out` says why there are none. Raises ValueError if the search was stopped."""
+        too, unless they are of unions or of the plane, or `left_out` says why there are none. Raises ValueError if the search was
+        stopped."""
         if not self._answer.complete:
             raise ValueError("there is no certificate of a search that was stopped")
         return self._answer.certificate(id, patches)

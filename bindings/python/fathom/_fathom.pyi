@@ -43,7 +43,7 @@ class Manifold:
     vertex_weights: dict[str, Any] | None
     optimal_cone: dict[str, Any] | None
     left_out: str | None
-    def derivative(self, v: Triple, w: Triple, v_b: Triple, w_b: Triple) -> dict[str, Any]: ...
+    def derivative(self, v: Triple, w: Triple | Number, v_b: Triple, w_b: Triple | Number) -> dict[str, Any]: ...
 
 class Answer:
     status: str

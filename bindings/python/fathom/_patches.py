@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from fathom import _fathom
-from fathom._types import FloatArray, FractionTriple, Triple
+from fathom._types import FloatArray, Fractions, Number, Triple
 
 AT_REST = (0, 0, 0)
 
@@ -14,7 +14,7 @@ AT_REST = (0, 0, 0)
 class PatchCorner(NamedTuple):
     """A corner of a patch: a point of A and a point of B, which differ by the translation."""
 
-    a: Any  #: three Fractions; of answers about shapes (p, n, r), which means p + r n/|n|, as in `exact.witness`
+    a: Any  #: three Fractions, in the plane two; of answers about shapes (p, n, r), which means p + r n/|n|, as in `exact.witness`
     b: Any
     on_a: tuple[int, ...] | None  #: the least face of A that holds it, by indices of points: a vertex, an edge, ...; None of a half-space
     on_b: tuple[int, ...] | None
@@ -25,9 +25,9 @@ class Patch(NamedTuple):
 
     rank: int  #: the dimension: 0, 1 or 2
     direction: FloatArray  #: unit vector along which A leaves B, correctly rounded
-    normal: tuple[int, int, int]  #: the same as integers, exact and primitive
+    normal: tuple[int, ...]  #: the same as integers, exact and primitive
     corners: tuple[PatchCorner, ...]  #: counter-clockwise seen from the direction's tip; first that of the least (on_a, on_b)
-    a_f64: FloatArray  #: the corners on A as an array of k x 3, correctly rounded
+    a_f64: FloatArray  #: the corners on A as an array of k x 3, in the plane k x 2, correctly rounded
     b_f64: FloatArray  #: those on B
     centroid: tuple[Any, Any]  #: a point of A and one of B, exact as the corners
     size: float  #: length of a segment, area of a polygon, 0.0 of a point, correctly rounded
@@ -43,9 +43,9 @@ class Gradient(NamedTuple):
     That by B's pose is minus it. Both are about the origin of the world."""
 
     v: FloatArray  #: -n/|n|, each component correctly rounded
-    w: FloatArray  #: -(p x n)/|n|
-    normal: tuple[int, int, int]  #: n, exact and primitive
-    point: FractionTriple  #: p: the one contact point, on A's core
+    w: FloatArray | float  #: -(p x n)/|n|; in the plane a number
+    normal: tuple[int, ...]  #: n, exact and primitive
+    point: Fractions  #: p: the one contact point, on A's core
 
 
 class VertexWeights(NamedTuple):
@@ -60,8 +60,8 @@ class OptimalCone(NamedTuple):
     """All directions that separate cores which touch: sums of a vector of a linear space and of rays, each times a number >= 0."""
 
     lineality: str  #: the linear space: "none", "line", "plane", "all"
-    axis: tuple[int, int, int] | None  #: the direction of the line, or the plane's normal
-    rays: tuple[tuple[int, int, int], ...]  #: across the linear space, primitive
+    axis: tuple[int, ...] | None  #: the direction of the line, or the plane's normal
+    rays: tuple[tuple[int, ...], ...]  #: across the linear space, primitive
 
 
 class Derivative(NamedTuple):
@@ -78,7 +78,7 @@ class Derivative(NamedTuple):
     sign: int | None = None
     root: Fraction | None = None
     direction: FloatArray | None = None  #: of the patch that decides
-    normal: tuple[int, int, int] | None = None
+    normal: tuple[int, ...] | None = None
     patch: int | None = None  #: which of `patches` that is
     corner: int | None = None  #: which of its corners decides
     left_out: str | None = None
@@ -141,11 +141,14 @@ class ContactAnswer:
         told = self._answer.manifold()
         return OptimalCone(**told.optimal_cone) if told and told.optimal_cone else None
 
-    def derivative(self, v: Triple = AT_REST, w: Triple = AT_REST, v_b: Triple = AT_REST, w_b: Triple = AT_REST) -> Derivative:
+    def derivative(self, v: Triple = AT_REST, w: Triple | Number = AT_REST, v_b: Triple = AT_REST,
+                   w_b: Triple | Number = AT_REST) -> Derivative:
         """Returns how fast the signed depth changes while points p of A begin to move with v + w x p, and those of B with v_b + w_b x p.
 
         v, v_b  velocities, each three numbers, taken exactly as coordinates are
         w, w_b  rates of turning about the origin of the world, in radians per unit of time
+
+        Of bodies of the plane v and v_b are two numbers, and w and w_b are one, counter-clockwise.
 
         It is the exact one-sided derivative, (s(t) - s(0)) / t for t -> 0 from above, whether the depth is smooth or not. Raises ValueError
         unless each has three finite numbers, TypeError for what is no number.

@@ -260,12 +260,13 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
           contacts: Iterable[Any] = (), distance: float | None = None, touching: str = "either", sign: str = "positive", moves: str = "a",
           unit: bool = True, claims: str = "minimum", manifold: tuple[int | None, float] | None = None, policy: str = "declared",
           precision: str = "binary64", answers: str | None = None, relative: Number = "1/1000", absolute: Number = "1/1000000",
-          patch_slack: Number | None = None, derivative: float | None = None, v: Triple = AT_REST, w: Triple = AT_REST,
-          v_b: Triple = AT_REST, w_b: Triple = AT_REST,
+          patch_slack: Number | None = None, derivative: float | None = None, v: Triple = AT_REST, w: Triple | Number = AT_REST,
+          v_b: Triple = AT_REST, w_b: Triple | Number = AT_REST,
           pose_a: PoseLike = None, pose_b: PoseLike = None) -> Judgement:
     """Judges what another program answered about two bodies, by exact comparison; about shapes, by proved bounds.
 
-    Bodies may be unions of convex pieces (`fathom.union`): a claimed translation is judged by what it leaves.
+    Bodies may be unions of convex pieces (`fathom.union`): a claimed translation is judged by what it leaves. Of bodies of the plane
+    points and vectors have two numbers, and w and w_b are one.
 
     overlap, depth, direction, witness  its answer: |depth| * direction takes the bodies apart; witness is a point of A and one of B
     distance   of bodies that are said to be apart: witness then is a pair of nearest points, and along direction they go farther apart

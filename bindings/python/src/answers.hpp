@@ -136,6 +136,9 @@ py::list features(const std::vector<MeshFeature>& of_mesh);
 py::object witness(const std::optional<Witness>& witness, bool exact, unsigned dimension = 3);
 /// Each component of n / |n|, correctly rounded.
 py::array_t<double> unit(const Vector& n, unsigned dimension = 3);
+/// Returns a velocity; in the plane of two numbers and an angular speed. Three zeros, the usual
+/// value of either argument, are rest there too.
+Twist twist_from(py::handle v, py::handle w, const char* v_name, const char* w_name, unsigned dimension);
 /// Returns floats, or (p, n, r) for p + r n/|n| if `exact`.
 py::object rounded_point(const RoundedPoint& p, bool exact, unsigned dimension = 3);
 

@@ -26,17 +26,18 @@ namespace {
 using py::literals::operator""_a;
 
 /// Returns the point in the form of the answer's exact witness.
-py::object exact_place(const RoundedPoint& p, bool of_shapes) {
-  return of_shapes ? rounded_point(p, true) : py::object(fractions(p.core));
+py::object exact_place(const RoundedPoint& p, bool of_shapes, unsigned dimension) {
+  return of_shapes ? rounded_point(p, true, dimension) : py::object(fractions(p.core, dimension));
 }
 
-/// Returns a k x 3 array of the corners on one body.
-py::array_t<double> corner_array(const Patch& patch, RoundedPoint (Patch::*of)(std::size_t) const) {
-  py::array_t<double> result({static_cast<py::ssize_t>(patch.corners.size()), py::ssize_t{3}});
+/// Returns a k x 3 array of the corners on one body, in the plane k x 2.
+py::array_t<double> corner_array(const Patch& patch, RoundedPoint (Patch::*of)(std::size_t) const, unsigned dimension) {
+  py::array_t<double> result({static_cast<py::ssize_t>(patch.corners.size()), static_cast<py::ssize_t>(dimension)});
   auto view = result.mutable_unchecked<2>();
   for (std::size_t k = 0; k < patch.corners.size(); ++k) {
     const std::array<double, 3> nearest = rounded::nearest_binary64((patch.*of)(k));
-    for (std::size_t i = 0; i < 3; ++i) view(static_cast<py::ssize_t>(k), static_cast<py::ssize_t>(i)) = nearest[i];
+    for (std::size_t i = 0; i < dimension; ++i)
+      view(static_cast<py::ssize_t>(k), static_cast<py::ssize_t>(i)) = nearest[i];
   }
   return result;
 }
@@ -46,27 +47,30 @@ py::object on_face(const std::vector<std::uint32_t>& ids) {
   return ids.empty() ? py::object(py::none()) : py::object(py::tuple(py::cast(ids)));
 }
 
-py::dict patch_in_python(const Patch& patch, bool of_shapes, bool of_unions) {
+py::dict patch_in_python(const Patch& patch, const ToldManifold& told) {
+  const unsigned dimension = told.manifold.geometry.dimension;
+  const auto place = [&](const RoundedPoint& p) { return exact_place(p, told.of_shapes, dimension); };
   py::list corners;
   for (std::size_t k = 0; k < patch.corners.size(); ++k)
-    corners.append(py::dict("a"_a = exact_place(patch.a(k), of_shapes), "b"_a = exact_place(patch.b(k), of_shapes),
+    corners.append(py::dict("a"_a = place(patch.a(k)), "b"_a = place(patch.b(k)),
                             "on_a"_a = on_face(patch.corners[k].on_a), "on_b"_a = on_face(patch.corners[k].on_b)));
   const RoundedWitness centroid = patch.centroid();
   const mpq_class squared = patch.squared();
-  return py::dict("rank"_a = patch.rank(), "direction"_a = unit(patch.direction),
-                  "normal"_a = integers(patch.direction), "corners"_a = corners,
-                  "a_f64"_a = corner_array(patch, &Patch::a), "b_f64"_a = corner_array(patch, &Patch::b),
-                  "centroid"_a = py::make_tuple(exact_place(centroid.a, of_shapes), exact_place(centroid.b, of_shapes)),
+  return py::dict("rank"_a = patch.rank(), "direction"_a = unit(patch.direction, dimension),
+                  "normal"_a = integers(patch.direction, dimension), "corners"_a = corners,
+                  "a_f64"_a = corner_array(patch, &Patch::a, dimension),
+                  "b_f64"_a = corner_array(patch, &Patch::b, dimension),
+                  "centroid"_a = py::make_tuple(place(centroid.a), place(centroid.b)),
                   "size"_a = root_binary64(squared), "size_squared"_a = fraction(squared), "optimum"_a = patch.way,
-                  "pieces"_a = of_unions ? py::object(py::make_tuple(patch.pieces.first, patch.pieces.second))
-                                         : py::object(py::none()),
+                  "pieces"_a = told.manifold.geometry.of_unions
+                                   ? py::object(py::make_tuple(patch.pieces.first, patch.pieces.second))
+                                   : py::object(py::none()),
                   "mesh_a"_a = features(patch.mesh_a), "mesh_b"_a = features(patch.mesh_b));
 }
 
 py::list patches_in_python(const ToldManifold& told) {
   py::list result;
-  const ContactGeometry& geometry = told.manifold.geometry;
-  for (const Patch& patch : geometry.patches) result.append(patch_in_python(patch, told.of_shapes, geometry.of_unions));
+  for (const Patch& patch : told.manifold.geometry.patches) result.append(patch_in_python(patch, told));
   return result;
 }
 
@@ -85,9 +89,11 @@ py::object kinks_in_python(const ToldManifold& told) {
 py::object gradient_in_python(const ToldManifold& told) {
   const std::optional<Gradient> found = told.manifold.geometry.gradient();
   if (!found) return py::none();
-  return py::dict("v"_a = array(rounded::nearest_binary64(found->by_translation())),
-                  "w"_a = array(rounded::nearest_binary64(found->by_rotation())), "normal"_a = integers(found->normal),
-                  "point"_a = fractions(found->point));
+  const unsigned dimension = told.manifold.geometry.dimension;
+  const std::array<double, 3> by_w = rounded::nearest_binary64(found->by_rotation());
+  return py::dict("v"_a = array(rounded::nearest_binary64(found->by_translation()), dimension),
+                  "w"_a = dimension == 2 ? py::object(py::float_(by_w[2])) : py::object(array(by_w)),
+                  "normal"_a = integers(found->normal, dimension), "point"_a = fractions(found->point, dimension));
 }
 
 py::object vertex_weights_in_python(const ToldManifold& told) {
@@ -99,11 +105,13 @@ py::object vertex_weights_in_python(const ToldManifold& told) {
 py::object cone_in_python(const ToldManifold& told) {
   const std::optional<OptimalCone>& cone = told.manifold.geometry.cone;
   if (!cone) return py::none();
+  const unsigned dimension = told.manifold.geometry.dimension;
   py::list rays;
-  for (const Vector& ray : cone->rays) rays.append(integers(ray));
-  return py::dict("lineality"_a = std::string(output::lineality_name(*cone)),
-                  "axis"_a = cone->axis == Vector{0, 0, 0} ? py::object(py::none()) : py::object(integers(cone->axis)),
-                  "rays"_a = py::tuple(rays));
+  for (const Vector& ray : cone->rays) rays.append(integers(ray, dimension));
+  return py::dict(
+      "lineality"_a = std::string(output::lineality_name(*cone)),
+      "axis"_a = cone->axis == Vector{0, 0, 0} ? py::object(py::none()) : py::object(integers(cone->axis, dimension)),
+      "rays"_a = py::tuple(rays));
 }
 
 py::str word(LeftOut reason) { return std::string(name(reason)); }
@@ -115,10 +123,8 @@ py::object left_out_in_python(const ToldManifold& told) {
 
 py::dict derivative_in_python(const ToldManifold& told, const py::object& v, const py::object& w, const py::object& v_b,
                               const py::object& w_b) {
-  const auto velocity = [](const py::object& from, const char* what) {
-    return named(what, [&] { return point_from(from); });
-  };
-  const Twist of_a{velocity(v, "v"), velocity(w, "w")}, of_b{velocity(v_b, "v_b"), velocity(w_b, "w_b")};
+  const unsigned dimension = told.manifold.geometry.dimension;
+  const Twist of_a = twist_from(v, w, "v", "w", dimension), of_b = twist_from(v_b, w_b, "v_b", "w_b", dimension);
   const std::variant<DirectionalDerivative, LeftOut> found = [&] {
     const py::gil_scoped_release unlocked;
     return directional_derivative(told.manifold.geometry, of_a, of_b);
@@ -129,8 +135,8 @@ py::dict derivative_in_python(const ToldManifold& told, const py::object& v, con
   // Adding 0.0 turns -0.0 into 0.0.
   return py::dict("value"_a = round_binary64(value) + 0.0, "low"_a = round_binary64(value, Rounding::rd) + 0.0,
                   "high"_a = round_binary64(value, Rounding::ru) + 0.0, "sign"_a = rate.sign(),
-                  "root"_a = fraction(rate.root()), "direction"_a = unit(rate.direction),
-                  "normal"_a = integers(rate.direction), "patch"_a = rate.patch, "corner"_a = rate.corner);
+                  "root"_a = fraction(rate.root()), "direction"_a = unit(rate.direction, dimension),
+                  "normal"_a = integers(rate.direction, dimension), "patch"_a = rate.patch, "corner"_a = rate.corner);
 }
 
 // ---- when bodies that move meet first ----
@@ -198,6 +204,18 @@ py::dict impact(const py::object& a, const py::object& b, const py::object& moti
 }
 
 }  // namespace
+
+Twist twist_from(py::handle v, py::handle w, const char* v_name, const char* w_name, unsigned dimension) {
+  const auto is_rest = [](py::handle from) { return from.equal(py::make_tuple(0, 0, 0)); };
+  const auto velocity = [&](py::handle from, const char* name) {
+    if (dimension == 2 && is_rest(from)) return Point();
+    return named(name, [&] { return point_from(from, dimension); });
+  };
+  const auto speed = [&](py::handle from) {
+    return is_rest(from) ? Point() : named(w_name, [&] { return Point{0, 0, number_from(from)}; });
+  };
+  return {velocity(v, v_name), dimension == 2 ? speed(w) : velocity(w, w_name)};
+}
 
 std::shared_ptr<ToldManifold> manifold_told(PairAnswer& asked) {
   if (!asked.answer.complete()) return nullptr;

@@ -286,11 +286,13 @@ std::optional<double> number_or_none(py::handle from, const char* name) {
   return from.is_none() ? std::nullopt : std::optional(float_from(from, name));
 }
 
-Triple triple(py::handle from, const char* name) {
-  if (!PySequence_Check(from.ptr()) || py::isinstance<py::str>(from) || py::len(from) != 3)
-    throw py::value_error(std::string(name) + ": expected three numbers, found " + shown(from));
+/// In the plane two numbers.
+Triple triple(py::handle from, const char* name, unsigned dimension) {
+  if (!PySequence_Check(from.ptr()) || py::isinstance<py::str>(from) || py::len(from) != dimension)
+    throw py::value_error(std::string(name) + ": expected " + (dimension == 2 ? "two" : "three") + " numbers, found " +
+                          shown(from));
   const auto values = py::reinterpret_borrow<py::sequence>(from);
-  return {float_from(values[0], name), float_from(values[1], name), float_from(values[2], name)};
+  return {float_from(values[0], name), float_from(values[1], name), dimension == 2 ? 0 : float_from(values[2], name)};
 }
 
 /// Returns the items of a sequence of two.
@@ -300,21 +302,21 @@ py::sequence two_of(py::handle from, const char* expected) {
   return py::reinterpret_borrow<py::sequence>(from);
 }
 
-Reply reply_from(const py::dict& claim) {
+Reply reply_from(const py::dict& claim, unsigned dimension) {
   Reply reply;
   reply.overlap = bool_argument(claim, "overlap");
   reply.depth = number_or_none(claim["depth"], "depth");
   reply.distance = number_or_none(claim["distance"], "distance");
   for (const py::handle& each : claim["contacts"]) {
     const py::sequence contact = two_of(each, "each contact to be a position and a depth, or None");
-    reply.contacts.push_back({triple(contact[0], "contacts"), number_or_none(contact[1], "contacts")});
+    reply.contacts.push_back({triple(contact[0], "contacts", dimension), number_or_none(contact[1], "contacts")});
   }
   reply.derivative = number_or_none(claim["derivative"], "derivative");
-  if (!claim["direction"].is_none()) reply.direction = triple(claim["direction"], "direction");
+  if (!claim["direction"].is_none()) reply.direction = triple(claim["direction"], "direction", dimension);
   if (!claim["witness"].is_none()) {
     const py::sequence two = two_of(claim["witness"], "a witness of two points");
-    reply.witness_a = triple(two[0], "witness");
-    reply.witness_b = triple(two[1], "witness");
+    reply.witness_a = triple(two[0], "witness", dimension);
+    reply.witness_b = triple(two[1], "witness", dimension);
   }
   return reply;
 }
@@ -338,9 +340,9 @@ std::optional<ContactLimits> manifold_from(const py::handle& from) {
   return limits;
 }
 
-JudgeArguments judge_arguments(const py::dict& claim) {
+JudgeArguments judge_arguments(const py::dict& claim, unsigned dimension) {
   JudgeArguments result;
-  result.reply = reply_from(claim);
+  result.reply = reply_from(claim, dimension);
   const auto take = [&]<class Value>(const char* name, Value& value) {
     value = one_of<Value>(name, text_argument(claim, name));
   };
@@ -361,10 +363,9 @@ JudgeArguments judge_arguments(const py::dict& claim) {
     throw py::value_error("expected policy to be 'declared', 'minimum', 'separating' or 'within=P%', found '" + policy +
                           "'");
   result.tolerance.policy = *known;
-  if (result.reply.derivative) {
-    const auto velocity = [&](const char* what) { return named(what, [&] { return point_from(claim[what]); }); };
-    result.motion = {{velocity("v"), velocity("w")}, {velocity("v_b"), velocity("w_b")}};
-  }
+  if (result.reply.derivative)
+    result.motion = {twist_from(claim["v"], claim["w"], "v", "w", dimension),
+                     twist_from(claim["v_b"], claim["w_b"], "v_b", "w_b", dimension)};
   if (!claim["patch_slack"].is_none()) {
     mpq_class& slack = result.tolerance.patch_slack.emplace(number_from(claim["patch_slack"]));
     if (slack < 0)
@@ -373,10 +374,8 @@ JudgeArguments judge_arguments(const py::dict& claim) {
   return result;
 }
 
-/// Returns a body of any kind after rounding to the number format of the program under test.
-Body seen_from(const py::object& from, const py::object& pose, const NumberFormat& format, const char* name) {
-  const Body given = any_body_from(from, pose, name);
-  solve::require_space(given, given, "judge");
+/// Returns a body after rounding to the number format of the program under test.
+Body seen_from(const Body& given, const NumberFormat& format, const char* name) {
   std::optional<Body> body = judging::body_seen(given, format);
   if (!body)
     throw py::value_error(std::string(name) + ": a coordinate overflows " + std::string(fathom::name(format.points)));
@@ -426,8 +425,9 @@ py::object in_python(const DerivativeJudgement& value) { return in_python_by_fie
 
 py::dict judged(const py::object& a, const py::object& b, const py::dict& claim, const py::object& pose_a,
                 const py::object& pose_b) {
-  const JudgeArguments claimed = judge_arguments(claim);
-  const Body seen_a = seen_from(a, pose_a, claimed.format, "a"), seen_b = seen_from(b, pose_b, claimed.format, "b");
+  const Body given_a = any_body_from(a, pose_a, "a"), given_b = any_body_from(b, pose_b, "b");
+  const JudgeArguments claimed = judge_arguments(claim, given_a.dimension);
+  const Body seen_a = seen_from(given_a, claimed.format, "a"), seen_b = seen_from(given_b, claimed.format, "b");
   const Judgement found = watched([&](Monitor& monitor) {
     Options options;
     options.monitor = &monitor;
