@@ -168,10 +168,10 @@ class Certificates(ProgramTest):
         self.assertEqual(code_of(across, depth={"squared": "2"}), 1)
         self.assertEqual(code_of(across, bound={"squared": "1"}), 1)
 
-    def test_the_faults_of_formats_4_and_5_and_the_plane(self):
+    def test_the_faults_of_formats_4_to_6_and_the_plane(self):
         """Those of faults.jsonl, as check.py sees them too."""
         for row in map(json.loads, (DATA / "faults.jsonl").read_text().splitlines()):
-            if row["of"].startswith(("format_4/", "format_5/", "plane/")) or "fathom-certificate 4" in str(row["edits"]):
+            if row["of"].startswith(("format_4/", "format_5/", "format_6/", "plane/")) or "fathom-certificate 4" in str(row["edits"]):
                 text = (DATA / row["of"]).read_text() if row["of"] else ""
                 for before, after in row["edits"]:
                     text = text.replace(before, after, 1)
@@ -183,7 +183,7 @@ class Certificates(ProgramTest):
         page = (ROOT / "verify" / "check" / "FORMAT.md").read_text()
         blocks = [block for block in re.findall(r"(?:^    .+\n)+", page, re.MULTILINE) if block.startswith("    fathom-certificate")]
         files = [re.sub("^#.*\n", "", file.read_text(), flags=re.MULTILINE) for file in DATA.rglob("*.cert")]
-        self.assertEqual(len(blocks), 7)
+        self.assertEqual(len(blocks), 8)
         for block in blocks:
             text = "".join(re.sub("  .*", "", line[4:]) + "\n" for line in block.splitlines())
             found = [file for file in files if re.sub("^id .*\n", "", file,

@@ -33,7 +33,7 @@ class Score(unittest.TestCase):
             self.assertEqual(code, 0, lines)
             self.assertRegex(lines[-1], r"^(\d+) of \1 certificates, 100 %; 0 false ones accepted$")
             self.assertEqual([line.split()[0] for line in lines[:-1]], [
-                "format1", "format2", "format3", "format4", "format5-solid", "format5-two-bodies", "no-format"])
+                "format1", "format2", "format3", "format4", "format5-solid", "format5-two-bodies", "format6", "no-format"])
 
     def test_who_is_no_checker(self):
         rows = FAULTS.splitlines()
@@ -52,7 +52,7 @@ class Score(unittest.TestCase):
             forgetful.chmod(0o755)
             code, lines = score("--without", "format5-solid", forgetful)
             wrong = [line for line in lines if ": expected" in line]
-            self.assertTrue(all(re.fullmatch(r"format[1-5][-a-z]*-refused-a-weight-is-positive-this-one-is-not-\d+\.cert: "
+            self.assertTrue(all(re.fullmatch(r"format[1-6][-a-z]*-refused-a-weight-is-positive-this-one-is-not-\d+\.cert: "
                                              "expected REFUSED, found VERIFIED", line) for line in wrong), wrong)
             self.assertEqual((code, lines[-1].split("; ")[1]), (1, f"{len(wrong)} false ones accepted"))
             self.assertFalse([line for line in lines if line.startswith("format5-solid")])

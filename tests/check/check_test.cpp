@@ -53,7 +53,7 @@ TEST(Check, VerdictStartsFromNo) { EXPECT_FALSE(Verdict().accepted()); }
 TEST(Check, NamesAreEscapedInTheLine) {
   EXPECT_EQ(
       verdict_line(verify(""), "a\nb% c"),
-      "s MALFORMED a%0Ab%25%20c:1: expected 'fathom-certificate' and a format: 1 to 5, found the end of the input");
+      "s MALFORMED a%0Ab%25%20c:1: expected 'fathom-certificate' and a format: 1 to 6, found the end of the input");
 }
 
 TEST(Check, OneTextHoldsOneCertificate) {

@@ -27,7 +27,7 @@ DATA = pathlib.Path(__file__).parent / ".." / ".." / "tests" / "data" / "certifi
 
 def kind_of(text, row):
     """The part of the format: format5-solid and format5-two-bodies are two, since a checker may read one of them alone."""
-    header = re.search(r"^fathom-certificate ([1-5])$", text, re.MULTILINE)
+    header = re.search(r"^fathom-certificate ([1-6])$", text, re.MULTILINE)
     if not header:
         return "no-format"
     return "format" + header[1] + {"5": "-two-bodies" if "two_bodies" in row["of"] else "-solid"}.get(header[1], "")
