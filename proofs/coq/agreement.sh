@@ -8,12 +8,13 @@
 project=$1
 tests=$project/tests/check
 python3 -B "$project/verify/check/score.py" --without format5-two-bodies "$2" || exit 1
-for limits in limits union_limits patch_limits tiling_limits; do python3 -B "$tests/$limits.py" --checker "$2" || exit 1; done
+for limits in limits union_limits patch_limits tiling_limits impact_limits; do python3 -B "$tests/$limits.py" --checker "$2" || exit 1; done
 python3 -B "$tests/union_forgeries.py" --checker "$2" --checker "$3" --fathom "$4" --count 6000 --seed 9 || exit 1
 python3 -B "$tests/tiling_forgeries.py" --checker "$2" --checker "$3" --count 1000 --seed 7 "$project"/tests/data/certificates/format_5/*.cert || exit 1
 python3 -B "$tests/forgeries.py" --checker "$2" --checker "$3" --oracle "$4" --count 4000 --patches 200 --seed 6 \
   "$project/tests/data/certificates/format_4" || exit 1
 python3 -B "$tests/plane_forgeries.py" --checker "$2" --checker "$3" --seed 3 "$project/tests/data/certificates/plane" || exit 1
+python3 -B "$tests/impact_forgeries.py" --checker "$2" --checker "$3" --count 6000 --seed 8 "$project"/tests/data/certificates/format_6/*.cert || exit 1
 for file in "$project"/tests/data/certificates/format_5/two_bodies/*.cert "$project/tests/data/certificates/plane/two_bodies/two_unions.cert"; do
   said=$("$2" "$file")
   case $said in

@@ -15,7 +15,7 @@ complain() { echo "mutants.sh: $*"; bad=1; }
 build() { # SED-SCRIPT
   rm -rf "$scratch/program" && mkdir "$scratch/program" && cd "$scratch/program" || exit 1
   cp "$here"/program/*.ml "$out"/proved.cmi "$out"/proved.cmx "$out"/proved.o .
-  told="limits.ml prepare.ml signed_limits.ml signed_prepare.ml patch_prepare.ml union_limits.ml union_prepare.ml tiling_prepare.ml"
+  told="limits.ml prepare.ml signed_limits.ml signed_prepare.ml patch_prepare.ml union_limits.ml union_prepare.ml tiling_prepare.ml impact_prepare.ml"
   # shellcheck disable=SC2086
   cat $told >before
   # shellcheck disable=SC2086
@@ -94,4 +94,13 @@ mutant 's/next := Z\.succ slot/next := slot/' a%20box%20in%20thirds REFUSED '' <
 mutant 's/Flags\.find_opt flag !known/(if true then None else Flags.find_opt flag !known)/' a%20box%20in%20thirds REFUSED '' <"$tilings"
 mutant 's/Some g -> Z\.of_int g | None/Some g -> Z.of_int (g mod 2) | None/' a%20box%20in%20thirds REFUSED '' <"$tilings"
 mutant 's/Array\.map (tile g) g\.pieces/Array.map (tile g) (Array.sub g.pieces 0 1)/' a%20box%20in%20thirds REFUSED '' <"$tilings"
+# format 6: wrong units, another time or distance than is claimed, pieces left out
+motions=$here/examples/proved_motions.cert
+mutant 's/{ of_points; of_turns;/{ of_points = Z.one; of_turns;/' a%20rod%20in%20thirds REFUSED '' <"$motions"
+mutant 's/{ of_points; of_turns;/{ of_points; of_turns = Z.one;/' a%20rod%20in%20thirds REFUSED '' <"$motions"
+mutant 's/Proved\.unit_of = units\.of_weights/Proved.unit_of = Z.one/' a%20rod%20in%20thirds REFUSED '' <"$motions"
+mutant 's/Proved\.Meeting (pieces, ratio t/Proved.Meeting (pieces, ratio (Q.of_ints 5 8)/' a%20turning%20rod REFUSED '' <"$motions"
+mutant 's/Proved\.Near (ratio p\.until, ratio delta/Proved.Near (ratio p.until, ratio (Q.of_int 2)/' farther%20than%20said \
+  'VERIFIED grazing until=1 near=\(7\/16,9\/16\):2 farther' '.*:1 ' <"$motions"
+mutant 's/List\.map (piece units) (Array\.to_list g\.pieces)/[]/' a%20turning%20rod REFUSED '' <"$motions"
 exit $bad
