@@ -17,6 +17,7 @@
 #include "fathom/depth.hpp"
 #include "fathom/fathom.h"
 #include "fathom/files.hpp"
+#include "fathom/impact.hpp"
 #include "fathom/judge.hpp"
 #include "fathom/numbers.hpp"
 #include "fathom/patch.hpp"
@@ -315,6 +316,10 @@ TEST(FloatEnvironment, TheOtherQuestions) {
       } catch (const NoGrowth&) {
         return std::nullopt;
       }
+    });
+    expect_the_same("impact", [&] {
+      const RigidMotion moving{{1, 0, 0, 0}, {1, mpq_class(1, 3), 0, 1}, {5, 1, 0}, {-5, 0, 0}}, at_rest;
+      return certificate_text(a, moving, b, at_rest, first_contact(a, moving, b, at_rest));
     });
     expect_the_same("contact geometry", [&] { return ToFirstOrder(a, b); });
     expect_the_same("metric", [&] {

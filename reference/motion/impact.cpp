@@ -2,7 +2,7 @@
 // The search for the first contact: at a time at which the bodies are apart, the planes that their
 // nearest points suggest; each is followed as far as it separates the bodies; from its end it goes
 // on. The contact is looked for on a grid of times, so what is found does not depend on the way.
-//                                                            [proofs/impact.md, theorems 6 and 7]
+//                                                            [proofs/impact.md, theorem 6]
 #include "fathom/impact.hpp"
 
 #include <algorithm>
@@ -113,8 +113,8 @@ class ImpactSearch {
     return moment;
   }
 
-  /// A multiple of 2^-k in (low, t], for a small k: in the last eighth of it, or the greatest of the
-  /// grid.
+  /// A multiple of 2^-k in (low, t], for a small k: in the last eighth of it, or the greatest of
+  /// the grid.
   mpq_class short_time(const mpq_class& low, const mpq_class& t, bool exact) const {
     const long order = kernels::binary_order(t - low);
     mpz_class denominator = mpz_class(1) << static_cast<unsigned long>(std::max(0L, -order));

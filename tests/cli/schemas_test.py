@@ -57,6 +57,16 @@ TEETH = {
             (["weights"], None), (["weights", "a"], []), (["weights", "a", 0], [0, "1/2", 1]), (["weights", "a", 0, 1], "0"),
             (["witness", "a"], ["1", "0"]), (["centers", "b"], None), (["more"], 1), (["flat"], ["a", "b"]), (["steps"], -1)]),
         ({"status": "penetrating", "normal": None}, set(), [(["status"], "touching"), (["normal"], ["1", "0", "0"]), (["witness"], {})])],
+    "impact": [
+        ({"status": "contact"}, set(), [
+            (["status"], "apart"), (["first_contact"], None), (["first_contact", "t0", "exact"], "-1"),
+            (["first_contact", "point"], ["1", "0"]), (["first_contact", "normal"], ["1/2", "0", "0"]),
+            (["first_contact", "weights", "a"], []),
+            (["first_contact", "contact", "a"], [-1]),
+            (["pieces"], []), (["pieces", 0, "gap"], "1"), (["pieces", 0, "plane"], "edge"), (["pieces", 0, "until"], 1),
+            (["more"], 1),
+            (["motion", "a", "q0"], ["1", "0", "0"]), (["beginning"], {}), (["questions"], 0)]),
+        ({"status": "grazing"}, set(), [(["pieces", 1, "gap"], "0"), (["pieces", 1, "gap"], None), (["pieces", 1, "directions"], [])])],
     "along": [({"steps": 4}, set(), [
         (["steps"], 0), (["values", 0, "s"], "0.5"), (["values", 0, "status"], "inside"), (["values", 0, "value"], "1"),
         (["values", 0, "signed_depth", "exact", "root"], "-1"), (["values", 0, "more"], 1), (["along"], ["1", "0"])])],
