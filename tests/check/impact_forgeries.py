@@ -3,7 +3,9 @@
 """Forgeries of certificates of format 6: every checker sees them alike; none accepts those that cannot be right, and what else is accepted
 is true at many times, by definition.
 
-impact_forgeries.py --checker PROGRAM.. [--count N] [--share K] [--seed S] CERTIFICATE..    every K-th is shown to the checkers after the first
+impact_forgeries.py --checker PROGRAM.. [--count N] [--share K] [--seed S] CERTIFICATE..
+
+Every K-th is shown to the checkers after the first.
 """
 import argparse
 import collections

@@ -277,8 +277,8 @@ struct MotionParts {
     Kind kind;
     std::size_t line;
     Rational end;
-    Vector n, g;       ///< the direction; of edges, those of a and of b
-    Rational delta;    ///< of `near`
+    Vector n, g;      ///< the direction; of edges, those of a and of b
+    Rational delta;   ///< of `near`
     Weights weights;  ///< of `near`
   };
 

@@ -42,7 +42,7 @@ struct Verdict {
   std::size_t rates = 0;  ///< number of derivatives of the signed depth that are claimed
   std::string until;      ///< of bodies in motion: the time up to which they are apart; empty if this is not shown of 0
   std::string meeting;    ///< the time at which they are in contact; empty if they do not meet
-  std::string near;       ///< "(1/4,1/2):1/8+..": the times between which nothing is shown, and their distance at the later
+  std::string near;  ///< "(1/4,1/2):1/8+..": the times between which nothing is shown, and their distance at the later
 
   // If not:
   std::size_t line = 0;  ///< where, from 1

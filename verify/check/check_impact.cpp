@@ -108,8 +108,7 @@ Conditions conditions(const Piece& piece, const Turn<Polynomial>& a, const Turn<
 
 class Motions {
  public:
-  Motions(const Certificate& c, const Scaled& bodies)
-      : c_(&c), points_{bodies.a.all_points(), bodies.b.all_points()} {}
+  Motions(const Certificate& c, const Scaled& bodies) : c_(&c), points_{bodies.a.all_points(), bodies.b.all_points()} {}
 
   void check() {
     const MotionParts& parts = c_->of_motions;
@@ -150,9 +149,7 @@ class Motions {
   /// The number that goes from x to y as the time goes from 0 to 1, on the piece, times the
   /// denominators of its ends.
   static Polynomial on(const mpq_class& begin, const mpq_class& end, const mpz_class& x, const mpz_class& y) {
-    const auto at = [&](const mpq_class& t) -> mpz_class {
-      return (t.get_den() - t.get_num()) * x + t.get_num() * y;
-    };
+    const auto at = [&](const mpq_class& t) -> mpz_class { return (t.get_den() - t.get_num()) * x + t.get_num() * y; };
     return {{end.get_den() * at(begin), begin.get_den() * at(end)}};
   }
   [[nodiscard]] static mpz_class over(const mpz_class& unit, const Rational& q) {

@@ -559,15 +559,24 @@ void Parser::read_motion(MotionParts::Motion& motion, const char* word) {
 
 void Parser::read_piece_of_motion(MotionParts& parts) {
   using Kind = MotionParts::Piece::Kind;
-  constexpr const char* expected = "a piece: its end; 'a' or 'b' and three integers, 'ab' and six, or 'near' and a rational";
+  constexpr const char* expected =
+      "a piece: its end; 'a' or 'b' and three integers, 'ab' and six, or 'near' and a rational";
   require_line(expected);
   const std::string_view word = fields_.size() < 2 ? "" : fields_[1];
   const bool edges = word == "ab", near = word == "near";
   if (!edges && !near && word != "a" && word != "b") throw wrong(expected);
   demand(near ? 3 : edges ? 8 : 5, expected);
   count_numbers(fields_.size() - 1);
-  MotionParts::Piece piece{near ? Kind::near : edges ? Kind::of_edges : word == "a" ? Kind::of_a : Kind::of_b,
-                           lines_->number(), rational(fields_[0]), {}, {}, {}, {}};
+  MotionParts::Piece piece{near          ? Kind::near
+                           : edges       ? Kind::of_edges
+                           : word == "a" ? Kind::of_a
+                                         : Kind::of_b,
+                           lines_->number(),
+                           rational(fields_[0]),
+                           {},
+                           {},
+                           {},
+                           {}};
   const auto vector = [this](std::size_t k) -> Vector {
     return {integer(fields_[k], expected), integer(fields_[k + 1], expected), integer(fields_[k + 2], expected)};
   };

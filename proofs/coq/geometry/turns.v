@@ -42,23 +42,28 @@ Theorem placed_rigid : forall o, 0 < length2 o ->
   (forall x y, norm2 (sub (placed o x) (placed o y)) = norm2 (sub x y)) /\ forall q, exists x, placed o x = q.
 Proof.
   intros o H. unfold length2 in H. split.
-  - intros x y. replace (sub (placed o x) (placed o y)) with (scal (/ length2 o) (rotate (scalar o) (axis o) (sub x y))).
+  - intros x y. replace (sub (placed o x) (placed o y)) with (scal (/ length2 o) (rotate (scalar o) (axis o) (sub x
+    y))).
     + rewrite norm2_scal. unfold norm2 at 1. rewrite rotate_dots. unfold length2. fold (norm2 (sub x y)). field. lra.
     + unfold placed, rotate, cross, dot. pteq; ring.
   - intros q. exists (scal (/ length2 o) (rotate (scalar o) (minus (axis o)) (sub q (spot o)))).
-    change (place (spot o) (scalar o) (axis o) (scal (/ length2 o) (rotate (scalar o) (minus (axis o)) (sub q (spot o)))) = q).
+    change (place (spot o) (scalar o) (axis o) (scal (/ length2 o) (rotate (scalar o) (minus (axis o)) (sub q (spot
+      o)))) = q).
     unfold place. rewrite rotate_scal, rotate_forth, !scal_scal. unfold length2.
     replace (_ * _ * _) with 1 by (field; lra). rewrite scal_1. pteq; ring.
 Qed.
 Theorem placed_sense : forall o w x y, 0 < length2 o ->
-  cross (sub (placed o x) (placed o w)) (sub (placed o y) (placed o w)) = sub (placed o (add w (cross (sub x w) (sub y w)))) (placed o w).
+  cross (sub (placed o x) (placed o w)) (sub (placed o y) (placed o w)) = sub (placed o (add w (cross (sub x w) (sub y
+    w)))) (placed o w).
 Proof.
   intros o w x y H. unfold length2 in H.
   assert (D : forall a b, sub (placed o a) (placed o b) = scal (/ length2 o) (rotate (scalar o) (axis o) (sub a b)))
     by (intros; unfold placed, rotate, cross, dot; pteq; ring).
   rewrite !D. replace (sub (add w (cross (sub x w) (sub y w))) w) with (cross (sub x w) (sub y w)) by (pteq; ring).
-  assert (C := rotate_cross (scalar o) (axis o) (sub x w) (sub y w)). set (X := rotate _ _ (sub x w)) in *. set (Y := rotate _ _ (sub y w)) in *.
-  set (Z := rotate _ _ (cross _ _)) in *. replace (cross (scal (/ length2 o) X) (scal (/ length2 o) Y)) with (scal (/ length2 o * / length2 o) (cross X Y))
+  assert (C := rotate_cross (scalar o) (axis o) (sub x w) (sub y w)). set (X := rotate _ _ (sub x w)) in *.
+  set (Y := rotate _ _ (sub y w)) in *.
+  set (Z := rotate _ _ (cross _ _)) in *.
+  replace (cross (scal (/ length2 o) X) (scal (/ length2 o) Y)) with (scal (/ length2 o * / length2 o) (cross X Y))
     by (pteq; ring). rewrite C, scal_scal. unfold length2. f_equal. field. lra.
 Qed.
 
@@ -76,24 +81,29 @@ Section Directions.
 
   Lemma place_dot : forall n a b, 0 < wa -> 0 < wb -> wa * wb * dot n (sub (place pa ra va a) (place pb rb vb b))
     = wa * wb * dot n d + wb * dot n (rotate ra va a) - wa * dot n (rotate rb vb b).
-  Proof. intros. unfold place. rewrite dot_sub_r, !dot_add_r, !dot_scal_r. unfold d. rewrite dot_sub_r. fold wa wb. field. lra. Qed.
+  Proof. intros. unfold place. rewrite dot_sub_r, !dot_add_r, !dot_scal_r. unfold d. rewrite dot_sub_r. fold wa wb.
+  field. lra. Qed.
 
   Lemma by_b : forall n, let h := rotate rb vb n in
     shown_by (wa * dot h d) (rotate ra (minus va) h) (scal (wa * wb) n) h wa.
   Proof.
     intros n h Pa Pb. split; auto. intros a b. apply Rmult_eq_reg_l with wb; [|lra].
-    replace (wb * (wa * _)) with (wa * wb * dot h (sub (place pa ra va a) (place pb rb vb b))) by ring. rewrite place_dot by auto.
+    replace (wb * (wa * _)) with (wa * wb * dot h (sub (place pa ra va a) (place pb rb vb b))) by ring.
+    rewrite place_dot by auto.
     assert (E : dot h (rotate rb vb b) = wb * wb * dot n b) by apply rotate_dots.
-    assert (F : dot (rotate ra (minus va) h) a = dot h (rotate ra va a)) by (rewrite dot_comm, <- rotate_dot; apply dot_comm).
+    assert (F : dot (rotate ra (minus va) h) a = dot h (rotate ra va a)) by (rewrite dot_comm, <- rotate_dot;
+      apply dot_comm).
     rewrite E, F, dot_scal_l. ring.
   Qed.
   Lemma by_a : forall n, let h := rotate ra va n in
     shown_by (wb * dot h d) (scal (wa * wb) n) (rotate rb (minus vb) h) h wb.
   Proof.
     intros n h Pa Pb. split; auto. intros a b. apply Rmult_eq_reg_l with wa; [|lra].
-    replace (wa * (wb * _)) with (wa * wb * dot h (sub (place pa ra va a) (place pb rb vb b))) by ring. rewrite place_dot by auto.
+    replace (wa * (wb * _)) with (wa * wb * dot h (sub (place pa ra va a) (place pb rb vb b))) by ring.
+    rewrite place_dot by auto.
     assert (E : dot h (rotate ra va a) = wa * wa * dot n a) by apply rotate_dots.
-    assert (F : dot (rotate rb (minus vb) h) b = dot h (rotate rb vb b)) by (rewrite dot_comm, <- rotate_dot; apply dot_comm).
+    assert (F : dot (rotate rb (minus vb) h) b = dot h (rotate rb vb b)) by (rewrite dot_comm, <- rotate_dot;
+      apply dot_comm).
     rewrite E, F, dot_scal_l. ring.
   Qed.
   Lemma by_edges : forall f g, let h := rotate ra va f in let k := rotate rb vb g in
@@ -106,14 +116,17 @@ Section Directions.
     { rewrite T. unfold h. rewrite rotate_cross, dot_scal_r, (dot_comm k), rotate_dot. fold wa. f_equal.
       unfold dot, cross; simpl; ring. }
     assert (F : dot (cross h k) (rotate rb vb b) = wb * dot (cross (rotate rb (minus vb) h) g) b).
-    { replace (dot (cross h k) (rotate rb vb b)) with (dot h (cross k (rotate rb vb b))) by (unfold dot, cross; simpl; ring).
-      unfold k. rewrite rotate_cross, dot_scal_r, (dot_comm h), rotate_dot. fold wb. f_equal. unfold dot, cross; simpl; ring. }
+    { replace (dot (cross h k) (rotate rb vb b)) with (dot h (cross k (rotate rb vb b))) by (unfold dot, cross; simpl;
+      ring).
+      unfold k. rewrite rotate_cross, dot_scal_r, (dot_comm h), rotate_dot. fold wb. f_equal.
+      unfold dot, cross; simpl; ring. }
     rewrite E, F. ring.
   Qed.
 
   (* each is 0 if a quaternion is *)
   Lemma shown_ok : forall D u v n k, shown_by D u v n k ->
-    (~ 0 < wa -> forall a b, D + dot u a - dot v b = 0) -> (~ 0 < wb -> forall a b, D + dot u a - dot v b = 0) -> shown D u v.
+    (~ 0 < wa -> forall a b, D + dot u a - dot v b = 0) -> (~ 0 < wb -> forall a b,
+      D + dot u a - dot v b = 0) -> shown D u v.
   Proof.
     intros D u v n k H Za Zb a b P. destruct (Rlt_dec 0 wa) as [Pa|Na]; [|rewrite Za in P by auto; lra].
     destruct (Rlt_dec 0 wb) as [Pb|Nb]; [|rewrite Zb in P by auto; lra]. split; auto. split; auto.
@@ -137,7 +150,9 @@ Section Directions.
     shown (dot (cross h k) d) (cross f (rotate ra (minus va) k)) (cross (rotate rb (minus vb) h) g).
   Proof.
     intros f g h k. apply (shown_ok _ _ _ _ _ (by_edges f g)); intros N a b; fold h k.
-    - destruct (sq_zero _ _ k N) as (_ & _ & ->). unfold h. destruct (sq_zero _ _ f N) as (_ & -> & _). unfold rotate. zero.
-    - destruct (sq_zero _ _ h N) as (_ & _ & ->). unfold k. destruct (sq_zero _ _ g N) as (_ & -> & _). unfold rotate. zero.
+    - destruct (sq_zero _ _ k N) as (_ & _ & ->). unfold h. destruct (sq_zero _ _ f N) as (_ & -> & _).
+      unfold rotate. zero.
+    - destruct (sq_zero _ _ h N) as (_ & _ & ->). unfold k. destruct (sq_zero _ _ g N) as (_ & -> & _).
+      unfold rotate. zero.
   Qed.
 End Directions.
