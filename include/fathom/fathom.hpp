@@ -8,6 +8,7 @@
 #include "fathom/certificate.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/files.hpp"
+#include "fathom/impact.hpp"
 #include "fathom/judge.hpp"
 #include "fathom/monitor.hpp"
 #include "fathom/numbers.hpp"

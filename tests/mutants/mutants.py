@@ -64,6 +64,16 @@ MUTANTS = [Mutant(*fields) for fields in [
     ("reference/approximate/metric.cpp", "return placed.position(sum, hull.vertices.size());",
      "return placed.position(sum, points.size());", "approximate_tests"),
     ("reference/approximate/metric.cpp", "report.expect(room > 0,", "report.expect(room >= 0,", "approximate_tests"),
+    # first contacts: a gap of 0, the end alone, a plane's side, the grid, the cell's end, a motion through 0
+    ("reference/motion/motion.cpp", "if (sgn(value(k, i, j)) > 0) continue;", "if (sgn(value(k, i, j)) >= 0) continue;", "motion_tests"),
+    ("reference/motion/motion.cpp", "for (std::size_t k = gap.constant.size(); k-- > 0;) {",
+     "for (std::size_t k = gap.constant.size(); k-- > 1;) {", "motion_tests"),
+    ("reference/motion/motion.cpp", "extreme_points(a_.points, -gap.of_a[k]).front(),", "extreme_points(a_.points, gap.of_a[k]).front(),",
+     "motion_tests"),
+    ("reference/motion/motion.cpp", "multiple(result[0], result[1], -1))", "multiple(result[0], result[1], 1))", "motion_tests"),
+    ("reference/motion/impact.cpp", "Moment next = at(now.t + cell_);", "Moment next = at(now.t + cell_ / 2);", "motion_tests"),
+    ("reference/motion/impact.cpp", "if (best < next.t && from->squared_distance()", "if (best < next.t || from->squared_distance()",
+     "motion_tests"),
     # contact patches and derivatives: the faces for the patch, one corner, the first optimum, the wrong order
     ("reference/patch/patch.cpp", "if (sign < 0) return std::nullopt;", "if (sign <= 0) return std::nullopt;", "patch_tests"),
     ("reference/patch/patch.cpp", "return enters(p) && !enters(q);", "return enters(q) && !enters(p);", "patch_tests"),
