@@ -3,7 +3,7 @@
 From Fathom.geometry Require Import depth kinds width minkowski wording combinations signed_depth existence rounded ways_out gaps seams patches rates_overlap rates_plane
   rates_moving motions crossings tiles_winding tilings said union_depth mesh_said plane turns.
 From Fathom.soundness Require Import main corollaries every_motion facets_listed verdict_sound example cone_sound signed_sound union_sound union_example patch_sound patch_verdict_sound
-  patch_example tiling_sound tiling_example plane_sound impact_sound.
+  patch_example tiling_sound tiling_example plane_sound impact_sound impact_example.
 
 Print Assumptions check_sound.
 Print Assumptions verdict_sound.
@@ -111,3 +111,5 @@ Print Assumptions inside_upright.
 Print Assumptions impact_verdict_sound.
 Print Assumptions placed_rigid.
 Print Assumptions placed_sense.
+Print Assumptions rod_verdict.
+Print Assumptions motions_refused.

@@ -245,11 +245,13 @@ def forged(rng, genuine):
              *((change, "text") for change in forging.ON_TEXT)]
     while True:
         for change, expected in kinds:
-            m = rng.choice(genuine).copy()
             if expected == "text":
-                yield change.__name__, None, change(m.text(), rng), None
-            elif m.pieces and change(m, rng) is not False:
-                yield change.__name__, m, m.text(), expected
+                yield change.__name__, None, change(rng.choice(genuine).text(), rng), None
+                continue
+            for m in (rng.choice(genuine).copy() for _ in range(20)):  # it may not apply to some
+                if m.pieces and change(m, rng) is not False:
+                    yield change.__name__, m, m.text(), expected
+                    break
 
 
 def main():

@@ -38,9 +38,17 @@ function vectorsOf(words, dimension) {
   return vectors;
 }
 
+/** Where a point is of a body that is turned by the quaternion r + v and whose origin is at p. */
+function placed(r, v, p, x) {
+  const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2], w = dot(v, v), cross = (i, j) => v[i] * x[j] - v[j] * x[i];
+  const turned = [cross(1, 2), cross(2, 0), cross(0, 1)];
+  return p.map((place, i) => place + ((r * r - w) * x[i] + 2 * dot(v, x) * v[i] + 2 * r * turned[i]) / (r * r + w));
+}
+
 /**
  * {a, b, flat}: of each body its parts, and its edges if it is given by a mesh. A part is convex: {terms, radius}, the sum of terms, each the
- * hull of atoms [center, ...axes]; or {plane: [normal, offset]}. A certificate of one solid has no b. Bodies of the plane are flat.
+ * hull of atoms [center, ...axes]; or {plane: [normal, offset]}. A certificate of one solid has no b. Bodies of the plane are flat. Moving
+ * bodies are where they are at the time 0.
  */
 function bodiesOf(lines) {
   const flat = lines.some((line) => line.startsWith('plane ')), dimension = flat ? 2 : 3;
@@ -66,6 +74,10 @@ function bodiesOf(lines) {
     } else if (body && what === 'radius') {
       body.parts.at(-1).radius = valueOf(rest[0]);
       ++at;
+    } else if (body && what === 'motion') {
+      const [[r, ...v]] = lines.slice(at + 1).map((line) => line.split(' ').map(valueOf)), [p] = vectorsOf(lines[at + 3].split(' '), 3);
+      body.parts[0].terms[0].forEach((atom) => { atom[0] = placed(r, v, p, atom[0]); });
+      at += 5;
     } else if (word === 'mesh') {
       const solid = bodies.b.points ? bodies.b : bodies.a;
       for (const line of lines.slice(at + 1, at += 1 + count)) {

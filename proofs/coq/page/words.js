@@ -7,6 +7,7 @@ const proved = {
   3: ['union_verdict_sound', 'soundness/union_sound.v', 'says_union'],
   4: ['patched_verdict_sound', 'soundness/patch_verdict_sound.v', 'says_patched'],
   5: ['tiling_verdict_sound', 'soundness/tiling_sound.v', 'says_tiling'],
+  6: ['impact_verdict_sound', 'soundness/impact_sound.v', 'says_impact'],
 };
 const provedWidth = {
   1: ['verdict_width', 'soundness/verdict_sound.v', 'says_width'],
@@ -54,15 +55,21 @@ const sayings = [
   [/ rates=(\d+)/, (k) => [`The rates of change that the certificate gives for ${k} motions are those of the signed depth.`]],
   [/^solid triangles=(\d+) pieces=(\d+)/, (m, n) => [
     `The mesh of ${m} triangles is closed, its winding number is negative nowhere, and the ${n} convex pieces are the solid that it encloses.`]],
+  [/^\w+ until=(\S+)/, (end) => [`A and B move. At each time from 0 to ${end} they have no point in common.`]],
+  [/^contact .*\bat=(\S+)/, (time) => [`At the time ${time} they have a point in common.`]],
+  [/ near=(\S+)/, (near) => [
+    `But between two times in brackets nothing is said, only that at the later one they are as near as the number behind them (${near}).`]],
 ];
 
 // A line with anything more in it gets no words: they might leave out what matters.
 const whole = new RegExp('^(?:(?:penetrating|touching|disjoint|undecided) (?:depth_squared|distance_squared|signed_depth)(?:_in)?=\\S+' +
-  '(?: optima=\\S+)?(?: cone=\\S+)?(?:(?: pieces=\\S+)?(?: dimension=2)?| patches=\\S+(?: rates=\\S+)?)|solid triangles=\\S+ pieces=\\S+)$');
+  '(?: optima=\\S+)?(?: cone=\\S+)?(?:(?: pieces=\\S+)?(?: dimension=2)?| patches=\\S+(?: rates=\\S+)?)|solid triangles=\\S+ pieces=\\S+' +
+  '|(?:apart|grazing|contact)(?: until=\\S+)?(?: at=\\S+)?(?: near=\\S+)?)$');
 
 /** The format that a line is about, by what it says. */
 function formatOf(said) {
   if (said.startsWith('solid ')) return 5;
+  if (/^\w+ (?:until|at)=/.test(said)) return 6;
   if (said.includes(' patches=')) return 4;
   if (said.includes(' pieces=')) return 3;
   return said.includes(' signed_depth') ? 2 : 1;
