@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fathom/impact.hpp"
+#include "kernels/float_environment.hpp"
 #include "reference/certificate/certificate.hpp"
 #include "reference/motion/motion.hpp"
 
@@ -68,6 +69,7 @@ namespace fathom {
 
 std::string certificate_text(std::span<const Point> a, const RigidMotion& of_a, std::span<const Point> b,
                              const RigidMotion& of_b, const Impact& impact, std::string_view id, Monitor* monitor) {
+  const kernels::DefaultFloatEnvironment environment;
   using namespace certificate;
   if (impact.beginning)
     return certificate_text(placed_at(a, of_a, 0), placed_at(b, of_b, 0), *impact.beginning, id, monitor);

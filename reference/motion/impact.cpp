@@ -2,7 +2,7 @@
 // The search for the first contact: at a time at which the bodies are apart, the planes that their
 // nearest points suggest; each is followed as far as it separates the bodies; from its end it goes
 // on. The contact is looked for on a grid of times, so what is found does not depend on the way.
-//                                                            [proofs/impact.md, theorem 6]
+//                                                                     [proofs/impact.md, theorem 6]
 #include "fathom/impact.hpp"
 
 #include <algorithm>

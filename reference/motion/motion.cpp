@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
 #include "reference/polytope/points.hpp"
 
@@ -369,6 +370,7 @@ std::string_view name(MovingPlane::Kind kind) {
 }
 
 Vector direction_at(const MovingPlane& plane, const RigidMotion& of_a, const RigidMotion& of_b, const mpq_class& t) {
+  const kernels::DefaultFloatEnvironment environment;
   return motion::MovingPair(std::vector<Point>(1), of_a, std::vector<Point>(1), of_b).direction(plane, t);
 }
 
