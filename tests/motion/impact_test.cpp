@@ -168,6 +168,9 @@ TEST(Impact, RandomMotionsOfBodiesOfAnyRank) {
       EXPECT_EQ(exchanged.contact->t1, found.contact->t1);
     }
     if (found.status == ImpactStatus::apart) {
+      const Impact coarse = first_contact(a, of_a, b, of_b, {.bits = 1, .delta = mpq_class(1, 1'000'000'000)});
+      EXPECT_EQ(coarse.status, ImpactStatus::apart) << "cells of the grid are crossed in short steps";
+      expect_laws(a, of_a, b, of_b, coarse, 1);
       const auto reversed = [](const RigidMotion& m) { return RigidMotion{m.q1, m.q0, m.p1, m.p0}; };
       EXPECT_EQ(first_contact(a, reversed(of_a), b, reversed(of_b)).status, ImpactStatus::apart)
           << "law: motions reversed";
