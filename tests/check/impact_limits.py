@@ -39,14 +39,13 @@ class Moving(Certificate):
 
     def size_and_work(self):
         """The page's formulas, from the page's definitions."""
-        near = [piece for piece in self.pieces if "near" in piece]
-        planes = [piece.split(" ") for piece in self.pieces if "near" not in piece]
-        n, k, e = len(self.a) + 1, len(planes), len(near) + ("contact" in self.claim)
-        rows = (self.weights + ["0 1"] if "contact" in self.claim else []) + ["0 1"] * 2 * len(near)
+        near, rows_of = sum("near" in piece for piece in self.pieces), [piece.split(" ") for piece in set(self.pieces)]
+        n, k, e = len(self.a) + 1, len(self.pieces) - near, near + ("contact" in self.claim)
+        rows = (self.weights + ["0 1"] if "contact" in self.claim else []) + ["0 1"] * 2 * near
         w, x = width(numbers_of(self.a) + numbers_of(self.motion[2:] + [ZERO])), width(numbers_of(rows, 1))
         y = width(numbers_of(self.motion[:2] + REST[:2]))
-        u = max((bits(int(number)) for row in set(map(tuple, planes)) for number in row[2:]), default=0)
-        times = {piece.split(" ")[0] for piece in self.pieces} | {piece.split(" ")[2] for piece in near} | set(self.claim.split(" ")[1:])
+        u = max((bits(int(number)) for _, kind, *numbers in rows_of if kind != "near" for number in numbers), default=0)
+        times = {row[0] for row in rows_of} | {row[2] for row in rows_of if row[1] == "near"} | set(self.claim.split(" ")[1:])
         b = max((bits(q.numerator) + bits(q.denominator) for q in map(fraction, times)), default=1)
         z = 2 * w + 4 * y + 12 * b + 2 * u + 32
         work = 6 * n * k * cost(z, w) + (200 * k + 8 * n * e) * cost(z, z) + 4 * len(rows) * cost(z + x, z + x)
