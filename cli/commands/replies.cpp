@@ -44,8 +44,8 @@ bool stays(const std::string& input, bool skip_flat, const files::NamedPiece& pi
 
 /// Returns the body that the input stands for. Adds its robot to those that were read before.
 Body body_of_input(const std::string& input, const BodiesRequest& request, std::vector<files::Robot>& robots) {
-  files::InputBody read = files::read_input(
-      input, request.robots, request.joints, [&](const files::NamedPiece& piece, std::size_t number) {
+  files::InputBody read =
+      files::read_input(input, request.robots, request.joints, [&](const files::NamedPiece& piece, std::size_t number) {
         return stays(input, request.skip_flat, piece, number);
       });
   const bool again = read.robot && std::ranges::find(robots, read.robot->file, &files::Robot::file) != robots.end();
