@@ -21,8 +21,8 @@
 #include "reference/files/cases.hpp"
 #include "reference/output/answer_json.hpp"
 #include "reference/rounded/coordinates.hpp"
-#include "verify/check/cases.hpp"
 #include "verify/check/check.hpp"
+#include "verify/check/comparisons.hpp"
 #include "verify/check/limits.hpp"
 #include "verify/check/reader.hpp"
 

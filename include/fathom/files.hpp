@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "fathom/body.hpp"
-#include "fathom/motion.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/shape.hpp"
 
 namespace fathom {
 

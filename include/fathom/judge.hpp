@@ -16,7 +16,7 @@
 
 #include "fathom/body.hpp"
 #include "fathom/depth.hpp"
-#include "fathom/motion.hpp"
+#include "fathom/shape.hpp"
 #include "fathom/signed_depth.hpp"
 #include "fathom/union.hpp"
 

@@ -22,9 +22,9 @@
 
 #include "fathom/answer.hpp"
 #include "fathom/body.hpp"
-#include "fathom/motion.hpp"
 #include "fathom/numbers.hpp"
 #include "fathom/point.hpp"
+#include "fathom/shape.hpp"
 #include "fathom/signed_depth.hpp"
 
 namespace fathom {

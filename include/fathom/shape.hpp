@@ -5,7 +5,8 @@
 // Every body is a core and the ball of a radius around each of its points. A core is a half-space,
 // or a Minkowski sum of terms; a term is the convex hull of atoms; an atom is a point, or a disc or
 // ball under an affine map. All numbers are rational, so a body is exactly what its numbers say.
-// Lengths are in the unit of the coordinates.                                    [proofs/shapes.md]
+// Lengths are in the unit of the coordinates. Where bodies are put, and how they begin to move, is
+// said here too.                                                                 [proofs/shapes.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -113,5 +114,20 @@ Pose rigid_pose(const Quaternion& rotation, const Point& translation);
 /// does to its segment. Discs and balls of a core are mapped as points are. Throws
 /// std::invalid_argument if M is singular or a number is not in lowest terms.
 Shape moved(const Shape& shape, const Pose& pose);
+
+// ---- velocities ----
+
+/// A velocity of a body: its point p moves with v + w x p. w is about the origin of the world, in
+/// radians per unit of time.
+struct Twist {
+  Point v, w;  ///< in lowest terms
+  friend bool operator==(const Twist&, const Twist&) = default;
+};
+
+/// The velocities of two bodies.
+struct Motion {
+  Twist of_a, of_b;  ///< 0 of a body at rest
+  friend bool operator==(const Motion&, const Motion&) = default;
+};
 
 }  // namespace fathom

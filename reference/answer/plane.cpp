@@ -191,43 +191,44 @@ bool is_flat_polytope(const Body& body) {
   if (!polytope::place_narrow(points, points, placed)) return is_flat(files::shape_of(body));
   return polytope::with_pair(placed, points, points, scans,
                              [](const auto& pair) { return depth::facts_of(pair).flat_a; });
+}
 
-  // ---- rays ----
+// ---- rays ----
 
-  void require_points(const Body& body) {
-    if (body.shape || body.pieces)
-      throw std::invalid_argument("rays are shot through hulls of points, found a shape or a union");
-  }
+void require_points(const Body& body) {
+  if (body.shape || body.pieces)
+    throw std::invalid_argument("rays are shot through hulls of points, found a shape or a union");
+}
 
-  using PointSpan = std::span<const Point>;
+using PointSpan = std::span<const Point>;
 
-  /// Asks about the points of two polytopes; in the plane about prisms that are twice as high as an
-  /// answer needs, so that an approximate one does not meet their ends.
-  template <class Ask>
-  auto asked_of_points(const Body& a, const Body& b, const Ask& ask) {
-    require_points(a);
-    require_points(b);
-    if (a.dimension == 3 && b.dimension == 3) return ask(PointSpan(a.points), PointSpan(b.points));
-    const Prisms prisms = prisms_of(a, b, 2);
-    auto found = ask(PointSpan(prisms.a.points), PointSpan(prisms.b.points));
-    map(a, b, found);
-    return found;
-  }
+/// Asks about the points of two polytopes; in the plane about prisms that are twice as high as an
+/// answer needs, so that an approximate one does not meet their ends.
+template <class Ask>
+auto asked_of_points(const Body& a, const Body& b, const Ask& ask) {
+  require_points(a);
+  require_points(b);
+  if (a.dimension == 3 && b.dimension == 3) return ask(PointSpan(a.points), PointSpan(b.points));
+  const Prisms prisms = prisms_of(a, b, 2);
+  auto found = ask(PointSpan(prisms.a.points), PointSpan(prisms.b.points));
+  map(a, b, found);
+  return found;
+}
 
-  void require_in(unsigned dimension, const std::optional<Point>& p) {
-    if (dimension == 2 && p) require_z_0({*p});
-  }
+void require_in(unsigned dimension, const std::optional<Point>& p) {
+  if (dimension == 2 && p) require_z_0({*p});
+}
 
-  /// The ball between two further vertices, above and below O, which no body is so near as to reach.
-  UnitBall raised(UnitBall ball) {
-    Vector top{0, 0, 0};
-    std::uint32_t next = 0;
-    for (const Vector& v : ball.vertices) top.z = std::max<mpz_class>(top.z, abs(v.x));
-    for (const std::uint32_t id : ball.input_ids) next = std::max(next, id + 1);
-    ball.vertices.insert(ball.vertices.end(), {top, -top});
-    ball.input_ids.insert(ball.input_ids.end(), {next, next + 1});
-    return ball;
-  }
+/// The ball between two further vertices, above and below O, which no body is so near as to reach.
+UnitBall raised(UnitBall ball) {
+  Vector top{0, 0, 0};
+  std::uint32_t next = 0;
+  for (const Vector& v : ball.vertices) top.z = std::max<mpz_class>(top.z, abs(v.x));
+  for (const std::uint32_t id : ball.input_ids) next = std::max(next, id + 1);
+  ball.vertices.insert(ball.vertices.end(), {top, -top});
+  ball.input_ids.insert(ball.input_ids.end(), {next, next + 1});
+  return ball;
+}
 
 }  // namespace
 

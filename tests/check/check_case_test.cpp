@@ -10,11 +10,10 @@
 #include <string>
 
 #include "tests/support/property.hpp"
-#include "verify/check/cases.hpp"
+#include "verify/check/comparisons.hpp"
 #include "verify/check/json.hpp"
 #include "verify/check/limits.hpp"
 #include "verify/check/parser.hpp"
-#include "verify/check/result.hpp"
 
 namespace fathom_check {
 namespace {

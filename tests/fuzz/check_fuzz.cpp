@@ -8,10 +8,9 @@
 #include <string>
 #include <string_view>
 
-#include "verify/check/cases.hpp"
+#include "verify/check/comparisons.hpp"
 #include "verify/check/limits.hpp"
 #include "verify/check/reader.hpp"
-#include "verify/check/result.hpp"
 
 namespace {
 

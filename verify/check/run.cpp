@@ -17,9 +17,9 @@
 #include <utility>
 
 #include "checks.hpp"
+#include "comparisons.hpp"
 #include "limits.hpp"
 #include "reader.hpp"
-#include "result.hpp"
 #include "text.hpp"
 
 namespace fathom_check {

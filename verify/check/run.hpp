@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cases.hpp"
 #include "check.hpp"
+#include "comparisons.hpp"
 
 namespace fathom_check {
 

@@ -15,7 +15,7 @@
 #include "fathom/answer.hpp"
 #include "fathom/body.hpp"
 #include "fathom/judge.hpp"
-#include "fathom/motion.hpp"
+#include "fathom/shape.hpp"
 #include "reference/patch/local_depth.hpp"
 #include "verify/judge/claim.hpp"
 

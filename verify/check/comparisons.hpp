@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The user's own cases, to compare a certificate's points with. JSON, schema fathom/case/1, one
-// value after another; or many cases as `fathom golden export --format json` writes them, schema
+// What a certificate is compared with: the user's own cases, and the line of JSON Lines results
+// that holds it.
+//
+// The cases give the points that it has to be about. JSON, schema fathom/case/1, one value after
+// another; or many cases as `fathom golden export --format json` writes them, schema
 // fathom/golden-export/1.
 //
 // A JSON number means the nearest binary64; a text is exact: integer, p/q, decimal, C99 hex float.
@@ -65,5 +68,35 @@ class CaseFile {
   std::map<std::string, std::vector<std::size_t>, std::less<>> by_id_;
   Budget budget_;
 };
+
+/// What a line of results says besides its certificate.                     [FORMAT.md, section 9]
+struct Result {
+  std::string certificate;
+  std::optional<std::string> id, status;
+  /// The field "squared" of a field that is there; absent if it is null.
+  struct Square {
+    std::optional<mpq_class> value;
+  };
+  std::optional<Square> depth, bound;
+  std::vector<Square> distances;  ///< wherever the line says one
+
+  /// sign sqrt(root) + plus.
+  struct Exact {
+    int sign = 0;
+    mpq_class root, plus;
+  };
+  struct SignedDepth {
+    std::optional<mpq_class> low, high;  ///< absent: beyond all doubles
+    std::optional<Exact> exact;
+  };
+  std::optional<SignedDepth> signed_depth;
+};
+
+/// Throws Fault (malformed); the id may have been read by then.
+void read_result(std::string_view text, std::size_t line, Result& result);
+
+/// Throws Fault (refused) unless id, status, depth, bound, distance and signed depth are those of
+/// the certificate.
+void compare(const Result& result, const Certificate& certificate);
 
 }  // namespace fathom_check
