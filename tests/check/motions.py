@@ -62,6 +62,9 @@ class Motion:
         sides = [edges for body in (a, b) for edges in [[[y - x for x, y in zip(p, q)] for p, q in itertools.combinations(body, 2)]]]
         normals = [cross(u, v) for u, v in [*itertools.combinations(sides[0], 2), *itertools.combinations(sides[1], 2),
                                             *itertools.product(*sides)]]
+        if not normals:  # of segments and points: where the difference body, a segment, is nearest to O
+            ends = [[x - y for x, y in zip(p, q)] for p in a for q in b]
+            normals = ends + [foot(p, q) for p, q in itertools.combinations(ends, 2)]
         for n in filter(any, normals + [check.minus(n) for n in normals]):
             if min(dot(n, p) for p in a) > max(dot(n, p) for p in b):
                 return False
@@ -121,6 +124,13 @@ class Motion:
                 self.claim, self.weights = ["contact", t], [[[k, 1]], [row for row in weights if row[1] > 0]]
                 return True
         return False
+
+
+def foot(p, q):
+    """Where the line through two points is nearest to O."""
+    along = [y - x for x, y in zip(p, q)]
+    t = -dot(p, along) / (dot(along, along) or 1)
+    return [x + t * y for x, y in zip(p, along)]
 
 
 def share_of(bits, shares):
