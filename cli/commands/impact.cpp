@@ -66,7 +66,7 @@ RigidMotion typed_motion_of(const ImpactRequest& request, const ImpactRequest::E
   return fault.empty() ? motion : throw InputError(of_a ? "--from, --to" : "--b-from, --b-to", 0, fault);
 }
 
-files::MotionsOfCase motions_of(const ImpactRequest& request, const AskedCase& asked) {
+files::MotionsOfCase asked_motions(const ImpactRequest& request, const AskedCase& asked) {
   if (asked.text.empty())
     return {typed_motion_of(request, request.a, true), typed_motion_of(request, request.b, false)};
   std::string fault;
@@ -207,7 +207,7 @@ Replies impact_replies(const ImpactRequest& request) {
                    files = std::make_shared<FilePlaces>(request, request.certificate, "certificate", ".cert")](
                       const AskedCase& asked, Monitor& monitor, Workspace&) -> CaseReply {
     const std::unique_ptr<CertificateFile> proof = files->single();  // fails early for an unwritable path
-    const MovedCase moved{asked, motions_of(request, asked)};
+    const MovedCase moved{asked, asked_motions(request, asked)};
     const Impact impact = answered_impact(moved, request, monitor);
     const std::string& id = moved.input.id;
     CaseReply reply{request.json         ? impact_json(moved, impact)
