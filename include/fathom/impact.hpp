@@ -44,9 +44,12 @@ RigidMotion shorter_way(RigidMotion motion);
 /// A way to separate two bodies for a while: by planes orthogonal to a direction that turns with a
 /// body, or that is orthogonal to a direction of each body.
 struct MovingPlane {
-  /// of_b: the direction `first` in the frame of B. of_a: in that of A. of_edges: the cross product
-  /// of `first`, in the frame of A, and `second`, in that of B, as they are turned.
-  enum class Kind : std::uint8_t { of_b, of_a, of_edges };
+  /// Which direction it is.
+  enum class Kind : std::uint8_t {
+    of_b,     ///< `first` in the frame of B, turned with B
+    of_a,     ///< `first` in the frame of A, turned with A
+    of_edges  ///< the cross product of `first`, in the frame of A, and `second`, in that of B, as they are turned
+  };
   Kind kind;             ///< of the three
   Vector first, second;  ///< primitive; `second` only of_edges
   friend bool operator==(const MovingPlane&, const MovingPlane&) = default;

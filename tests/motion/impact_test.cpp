@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "fathom/approximate.hpp"
 #include "kernels/vector.hpp"
 #include "reference/motion/motion.hpp"
 #include "tests/support/boxes.hpp"
@@ -242,6 +243,23 @@ TEST(Impact, StraightPathsHaveRationalTimes) {
   EXPECT_EQ(contact_of_all(cube, past, cube, at_rest).status, ImpactStatus::apart);
   const RigidMotion sliding{{1, 0, 0, 0}, {1, 0, 0, 0}, {4, 1, 0}, {-4, 1, 0}};
   expect_root(contact_of_all(cube, sliding, cube, at_rest), [](const mpq_class& t) { return mpq_class(3 - 8 * t); });
+}
+
+TEST(Impact, AStraightPathIsARayBackwards) {
+  // A stands in B, and would leave it after factor (1, 2, 3): it comes from there.
+  RandomMotions make;
+  int compared = 0;
+  for (int i = 0; i < 40; ++i) {
+    const PointList a = make.body(7), b = make.body(7);
+    const DirectionalDepth ray = directional_depth(a, b, {1, 2, 3});
+    if (ray.status() != Status::penetrating) continue;
+    const mpq_class out = ray.factor(), start = out + 1;
+    const RigidMotion in{{1, 0, 0, 0}, {1, 0, 0, 0}, {start, 2 * start, 3 * start}, {0, 0, 0}};
+    const Impact found = contact_of_all(a, in, b, at_rest);
+    expect_root(found, [&](const mpq_class& t) { return mpq_class((1 - t) * start - out); });
+    ++compared;
+  }
+  EXPECT_GT(compared, 10);
 }
 
 TEST(Impact, TheEndOfARodGrazesAWall) {
