@@ -115,6 +115,19 @@ class Certificates(ProgramTest):
             "touching depth_squared=0 dimension=2 touching",
             "disjoint distance_squared=9 pieces=2x1 triangles=-x- dimension=2 two%20unions")]))
 
+    def test_accepted_of_format_6(self):
+        files = sorted((DATA / "format_6").glob("*.cert"))
+        self.assertEqual(self.both(*files), (0, [
+            "s VERIFIED apart until=1 two%20planes",
+            "s VERIFIED contact at=0 overlapping%20at%20the%20beginning",
+            "s VERIFIED contact until=29/128 at=15/64 both%20turn",
+            "s VERIFIED contact until=551/1024 at=591/1024 a%20corner%20in%20a%20box",
+            "s VERIFIED grazing until=1 near=(7/16,9/16):11/10 past%20the%20end%20of%20a%20rod",
+            "s VERIFIED contact until=1/4 at=1/2 a%20turning%20rod"]))
+        rod = DATA / "format_6" / "rod.cert"
+        self.assertEqual(reason(self.run_program(CHECK, "--width", rod)[1][0]), "bodies in motion have no width")
+        self.assertIn("c motion_a\nc 1 0 0 0\nc 1 0 0 1\nc 0 0 0", "\n".join(self.run_program(CHECK, "--echo", rod)[1]))
+
     def test_the_plane(self):
         squares, pieces = DATA / "plane" / "squares.cert", DATA / "plane" / "pieces.cert"
         code, lines, _ = self.run_program(CHECK, "--echo", squares, DATA / "plane" / "half_plane.cert", pieces)
@@ -248,7 +261,7 @@ class Certificates(ProgramTest):
                          (2, ["s MALFORMED two%20cubes:21", APART_OK]))
         self.assertEqual(self.both("-", stdin="x\ny\n" + APART + "z\n" + APART),
                          (2, ["s MALFORMED <stdin>:1", APART_OK, f"s MALFORMED <stdin>:{LENGTH + 3}", APART_OK]))
-        self.assertEqual(self.both("-", stdin="fathom-certificate 6\nid x\n" + APART), (2, ["s MALFORMED <stdin>:1", APART_OK]))
+        self.assertEqual(self.both("-", stdin="fathom-certificate 7\nid x\n" + APART), (2, ["s MALFORMED <stdin>:1", APART_OK]))
         self.assertEqual(self.both("-", stdin="fathom-certificate 2\nid x\n" + APART), (2, ["s MALFORMED x:3", APART_OK]))
         self.assertEqual(self.both("-", stdin=APART + "fathom-certificate 1"), (2, [APART_OK, f"s MALFORMED <stdin>:{LENGTH + 1}"]))
 
