@@ -47,7 +47,8 @@ const std::string pieces =
     "shape, is one piece";
 const std::string pose =
     "how A is placed, exactly: \"r11 r12 r13 t1; r21 ...; r31 ...\", 4 x 4 numbers, \"xyz=X,Y,Z quat=W,X,Y,Z\" (or "
-    "xyzw=X,Y,Z,W, or rpy=ROLL,PITCH,YAWdeg or rad), or @FILE with one of these";
+    "xyzw=X,Y,Z,W, or rpy=ROLL,PITCH,YAWdeg or rad), in the plane \"r11 r12 t1; r21 r22 t2\" or \"xy=X,Y "
+    "half_angle=T\", or @FILE with one of these";
 
 std::vector<Option> make_table() {
   return {
