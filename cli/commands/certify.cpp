@@ -174,8 +174,6 @@ class Certify {
       if (!certify_.print_input.empty()) return print_input();
       if (!certify_.write_requests.empty()) return write_requests();
       if (examiner_ && !examiner_->passed_over().empty()) tell("notes on the subject", examiner_->passed_over());
-      if (!certify_.shrink.empty() && info().dimension == 2)
-        throw InputError("--shrink", 0, "it makes bodies of space smaller, and the subject takes those of the plane");
       found_.emplace(certify_, info(), cases_->expected());
       examine();
       return finish();

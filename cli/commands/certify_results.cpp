@@ -53,7 +53,12 @@ std::vector<HtmlFailure> shown_failures(const Collector& found, const Certificat
 using harness::Outcome;
 using harness::Shrunk;
 
-std::size_t points_of(const Case& pair) { return pair.a.points.size() + pair.b.points.size(); }
+std::size_t points_of(const Case& pair) {
+  std::size_t count = 0;
+  for (const Body* body : {&pair.a, &pair.b})
+    count += body->dimension == 2 && body->shape ? harness::core_of(*body).size() : body->points.size();
+  return count;
+}
 
 /// Returns "5 points are left", or "with simpler shapes" for bodies that are described by name.
 std::string left_of(const Case& pair) {

@@ -34,6 +34,22 @@ sys.exit(child.wait())
 """
 
 
+# Takes polygons for the boxes around them.
+PLANE_BOXES = """
+import sys
+sys.path.insert(0, "{kit}")
+import fathom_subject
+def solve(a, b):
+    way = (float("inf"), None)
+    for axis in range(2):
+        (low_a, high_a), (low_b, high_b) = ((min(p[axis] for p in body.vertices), max(p[axis] for p in body.vertices)) for body in (a, b))
+        for sign, length in ((1, high_b - low_a), (-1, high_a - low_b)):
+            way = min(way, (length, [sign * (i == axis) for i in range(2)]))
+    return fathom_subject.Reply(way[0] > 0, *way)
+fathom_subject.run(solve, name="boxes", version="1", dimension=2)
+"""
+
+
 class Subjects(CertifyTest):
     def traffic(self, words, stream):
         """Runs a subject on the stream and checks every line that is said."""
@@ -71,6 +87,21 @@ class Subjects(CertifyTest):
         flags = ["-O2", "-Wall", "-Wextra", "-Werror", "-std=c11"]
         subprocess.run([shutil.which("cc"), *flags, str(EXAMPLES / "subject.c"), "-o", program, "-lm"], check=True)
         self.check([program])
+
+    def test_cases_of_the_plane_are_made_smaller(self):
+        """The boxes around polygons are deeper than these; circles stand for their boxes too."""
+        subject = self.file("boxes.py", PLANE_BOXES.format(kit=ROOT / "verify" / "subjects" / "kit"))
+        cases = [{"id": "polygons", "dimension": 2, "a": {"vertices": [[0, 0], [3.1, 0.2], [3, 2.9], [1.5, 3.3], [0.1, 3]]},
+                  "b": {"vertices": [[2, 2.2], [5, 2], [5.5, 5], [2.7, 4.9]]}}]
+        stream = "".join(json.dumps(each) + "\n" for each in cases)
+        code, lines, err = self.certify("--jobs", "1", "--subject", f"exec '{sys.executable}' -B {subject}", "--shrink", self.folder / "small",
+                                        "-", stdin=stream)
+        self.assertEqual((code, self.verdicts(lines)), (1, {"polygons": "too-deep"}), err)
+        self.assertRegex(err, r"too-deep of polygons: 6 points are left; [1-9]\d* of \d+ tries made it smaller")
+        small = json.loads((self.folder / "small" / "too-deep.case.json").read_text())
+        self.assertEqual((small["dimension"], {len(p) for body in "ab" for p in small[body]["vertices"]}), (2, {2}))
+        self.assertIn("dimension=2", self.answer("check", self.folder / "small" / "too-deep.cert"))
+        self.assertIn("truth.dimension = 2;", (self.folder / "small" / "too-deep.cpp").read_text())
 
     def test_flat_bodies_have_no_faces(self):
         code, lines, said = self.traffic([sys.executable, "-B", str(EXAMPLES / "subject.py")],

@@ -10,14 +10,18 @@
 #include <limits>
 #include <sstream>
 
+#include "fathom/answer.hpp"
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/plane.hpp"
+#include "reference/answer/plane.hpp"
 #include "reference/files/cases.hpp"
 #include "tests/harness/fake_subject.hpp"
 #include "tests/harness/snippet_cases.hpp"
 #include "verify/check/check.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/variants.hpp"
+#include "verify/judge/truth.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -206,6 +210,69 @@ TEST(Shrink, RefusesAnOutcomeThatContradictsTheProof) {
   const Case pair = family_case("random_ball", 30, 2);
   EXPECT_THROW(shrink(pair, doubled(pair).verdict, lying), std::logic_error);
   EXPECT_THROW(shrink({"none", {}, pair.b}, Verdict::crash, doubled), std::invalid_argument);
+}
+
+// ---- bodies of the plane ----
+
+/// Twice the depth wherever the rule holds, judged in the plane.
+Examine doubled_in_plane(std::function<bool(const Body&)> rule) {
+  return [rule = std::move(rule)](const Case& pair) {
+    const Answer answer = exact_answer(pair.a, pair.b);
+    Outcome outcome;
+    outcome.id = pair.id;
+    Reply& reply = outcome.reply.emplace();
+    reply.overlap = answer.status() == Status::penetrating;
+    if (reply.overlap) reply.depth = (rule(pair.a) ? 2 : 1) * *answer.nearest_binary64();
+    outcome.judgement = judging::judged(judging::truth_of(pair.a, pair.b), reply, {}, Precision::binary64, {});
+    outcome.verdict = outcome.judgement->verdict;
+    return outcome;
+  };
+}
+
+TEST(Shrink, PolygonsStayInThePlane) {
+  const Case pair = family_case("plane_random", 12, 1);
+  const Examine examine = doubled_in_plane([](const Body& a) { return a.points.size() > 4; });
+  const Verdict verdict = examine(pair).verdict;
+  ASSERT_TRUE(fails(verdict));
+  const Shrunk shrunk = shrink(pair, verdict, examine);
+  EXPECT_TRUE(shrunk.reproduced);
+  EXPECT_EQ(shrunk.pair.a.points.size(), 5u);
+  EXPECT_EQ(shrunk.pair.b.points.size(), 3u);
+  for (const Body* body : {&shrunk.pair.a, &shrunk.pair.b}) {
+    EXPECT_EQ(body->dimension, 2u);
+    EXPECT_FALSE(answer::is_flat_body(*body));
+    for (const Point& p : body->points) EXPECT_EQ(p.z, 0);
+  }
+  for_each_coordinate(shrunk.pair, [](const mpq_class& value) { EXPECT_EQ(value.get_den(), 1); });
+  EXPECT_TRUE(accepted(shrunk.certificate));
+  EXPECT_TRUE(fathom_check::verify(shrunk.certificate).plane);
+  const std::string snippet_text = snippet({}, shrunk.pair, shrunk.outcome);
+  EXPECT_NE(snippet_text.find("truth.dimension = 2;"), std::string::npos) << snippet_text;
+}
+
+TEST(Shrink, RadiiInThePlaneGetSimpler) {
+  Body capsule;
+  capsule.shape = with_margin(hull(std::vector<Point>{{0, 0, 0}, {3, 1, 0}}), mpq_class(77, 64));
+  const Case pair{"capsule",
+                  in_plane(capsule),
+                  in_plane(Body{{{0, 0, 0}, {4, 0, 0}, {mpq_class(9, 2), 1, 0}, {0, mpq_class(5, 4), 0}}}),
+                  {}};
+  const Examine examine = doubled_in_plane([](const Body& a) { return a.shape && a.shape->radius > 0; });
+  const Verdict verdict = examine(pair).verdict;
+  ASSERT_TRUE(fails(verdict));
+  std::size_t steps = 0;
+  std::optional<Size> before;
+  const Shrunk shrunk = shrink(pair, verdict, examine, [&](const Shrunk& step) {
+    EXPECT_TRUE(accepted(step.certificate));
+    EXPECT_TRUE(!before || size_of(step.pair) < *before);
+    before = size_of(step.pair);
+    ++steps;
+  });
+  EXPECT_GT(steps, 3u);
+  ASSERT_TRUE(shrunk.pair.a.shape);
+  EXPECT_EQ(core_of(shrunk.pair.a).size(), 1u);
+  EXPECT_EQ(shrunk.pair.a.shape->radius, 1);
+  EXPECT_NE(snippet({}, shrunk.pair, shrunk.outcome).find("fathom::ShapeTruth truth"), std::string::npos);
 }
 
 TEST(Size, PrefersFewPointsThenSmallIntegers) {

@@ -21,6 +21,7 @@
 #include "fathom/monitor.hpp"
 #include "fathom/numbers.hpp"
 #include "fathom/union.hpp"
+#include "reference/answer/plane.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/solve/depth.hpp"
@@ -314,7 +315,12 @@ KeptDifference keep_difference(const std::string& directory, const Case& pair, c
   }
   const Examine examine = [&](const Case& candidate) {
     Outcome outcome = outcome_for(candidate);
-    const std::optional<std::string> found = difference(candidate, x, y);
+    Case in_space = candidate;
+    if (candidate.a.dimension == 2) {
+      answer::Prisms prisms = answer::prisms_of(candidate.a, candidate.b);
+      in_space = {candidate.id, std::move(prisms.a), std::move(prisms.b), {}};
+    }
+    const std::optional<std::string> found = difference(in_space, x, y);
     outcome.verdict = found ? differs : Verdict::pass;
     outcome.detail = found.value_or("");
     return outcome;

@@ -18,6 +18,7 @@
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"
+#include "reference/answer/plane.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/file_io.hpp"
 #include "reference/files/shape_names.hpp"
@@ -29,6 +30,7 @@
 #include "verify/harness/shrink/shrink.hpp"
 #include "verify/harness/variants.hpp"
 #include "verify/judge/fields.hpp"
+#include "verify/judge/truth.hpp"
 
 namespace fathom::harness {
 
@@ -112,9 +114,10 @@ std::string triple(const mpq_class& x, const mpq_class& y, const mpq_class& z) {
 }
 std::string triple(const Point& p) { return triple(p.x, p.y, p.z); }
 
-std::string list(const std::vector<Point>& points) {
+std::string list(const std::vector<Point>& points, unsigned dimension = 3) {
   std::vector<std::string> texts;
-  for (const Point& p : points) texts.push_back(triple(p));
+  for (const Point& p : points)
+    texts.push_back(dimension == 2 ? fmt::format("{{{}, {}}}", number(p.x), number(p.y)) : triple(p));
   return fmt::format("{{{}}}", fmt::join(texts, ", "));
 }
 
@@ -245,7 +248,7 @@ std::string truth_text(const Case& pair, const Outcome& outcome) {
   if (pair.a.shape || pair.b.shape) {
     const bool same = outcome.judgement && outcome.variant.empty() && outcome.fit == 0;
     return truth_text(same ? *outcome.judgement
-                           : judge(truth_about(files::shape_of(pair.a), files::shape_of(pair.b)), Reply{}));
+                           : judging::judged(judging::truth_of(pair.a, pair.b), Reply{}, {}, {}, {}));
   }
   Status status = Status::disjoint;
   mpq_class squared, apart;
@@ -254,7 +257,7 @@ std::string truth_text(const Case& pair, const Outcome& outcome) {
     squared = scaled(outcome.judgement->depth_squared, 2 * outcome.fit);
     apart = scaled(outcome.judgement->distance_squared, 2 * outcome.fit);
   } else {
-    const Truth truth = truth_about(pair.a.points, pair.b.points);
+    const Truth truth = std::get<Truth>(judging::truth_of(pair.a, pair.b));
     status = truth.depth.status();
     squared = truth.depth.squared();
     if (truth.depth.distance()) apart = truth.depth.distance()->squared;
@@ -331,7 +334,11 @@ std::string reply_text(const Outcome& outcome) {
 }
 
 /// Returns the same with points as fathom::hull(...).
-std::string as_shape_code(const Body& body) { return body.words ? shape_code(*body.words) : hull_text(body.points); }
+std::string as_shape_code(const Body& body) {
+  if (body.words) return shape_code(*body.words);
+  if (!body.shape) return hull_text(body.points);
+  return fmt::format("fathom::with_margin({}, {})", hull_text(core_of(body)), number(body.shape->radius));
+}
 
 std::string manifold_text(const std::optional<ContactLimits>& manifold) {
   if (!manifold) return "";
@@ -349,18 +356,37 @@ std::string motion_text(const Motion& motion) {
                      point(motion.of_a.w), point(motion.of_b.v), point(motion.of_b.w));
 }
 
+/// Returns the bodies, of the plane what stands for them in space, with the radii that the subject
+/// adds.
+Case in_space(const SubjectInfo& info, const Case& pair) {
+  if (pair.a.dimension == 3) return pair;
+  const Case judged = judged_bodies(pair, info, 0);
+  answer::Prisms prisms = answer::prisms_of(judged.a, judged.b);
+  return {pair.id, std::move(prisms.a), std::move(prisms.b), pair.motion};
+}
+
 /// Returns a test for a library without a template, for bodies by name, and for a derivative.
-std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
-  const bool shapes = has_words(pair);
-  std::string bodies;
+std::string test_text(const SubjectInfo& info, const Case& given, const Outcome& outcome) {
+  const bool in_plane = given.a.dimension == 2;
+  const Case pair = in_space(info, given);
+  const bool shapes = has_words(pair) || pair.a.shape || pair.b.shape;
+  std::string bodies = in_plane ? "  // Of bodies of the plane this is what stands for them in space.\n" : "";
   for (const auto& [name, body] : {std::pair{"a", &pair.a}, {"b", &pair.b}})
     bodies +=
         shapes ? fmt::format("  const fathom::Shape {} = {};\n", name, as_shape_code(*body))
                : fmt::format("  const std::vector<fathom::Triple> {} = {{\n        {}}};\n", name, points_text(*body));
   // If the subject rounds bodies, the truth is that about the rounded bodies.
-  const mpq_class radius_a = rounding_radius(pair.a, info), radius_b = rounding_radius(pair.b, info);
+  const mpq_class radius_a = rounding_radius(given.a, info), radius_b = rounding_radius(given.b, info);
   std::string rounded, judged = shapes ? "fathom::truth_about(a, b)" : "a, b";
-  if (radius_a != 0 || radius_b != 0) {
+  if (in_plane) {
+    rounded = fmt::format("  fathom::{} truth = fathom::truth_about({});\n  truth.dimension = 2;\n",
+                          shapes ? "ShapeTruth" : "Truth",
+                          shapes ? "a, b" : "fathom::GivenPoints(a), fathom::GivenPoints(b)");
+    if (shapes)
+      rounded += fmt::format("  truth.added_a = mpq_class(\"{}\");\n  truth.added_b = mpq_class(\"{}\");\n",
+                             exact_text(radius_a), exact_text(radius_b));
+    judged = "truth";
+  } else if (radius_a != 0 || radius_b != 0) {
     if (!shapes) rounded += templates::rounded;
     rounded += fmt::format("  const mpq_class radius_a(\"{}\"), radius_b(\"{}\");\n", exact_text(radius_a),
                            exact_text(radius_b));
@@ -414,7 +440,12 @@ void make_folder(const std::string& directory) {
 /// Returns the body in C++: its points as {{x, y, z}, ...}, or the calls of fathom/shape.hpp that
 /// make it, as fathom::moved(fathom::sphere(0.5), ...). Numbers are the shortest decimals that read
 /// back as the same binary64 number.
-std::string body_code(const Body& body) { return body.words ? shape_code(*body.words) : list(body.points); }
+/// Of a body of the plane {{x, y}, ...}, and {points, radius} if it has a radius.
+std::string body_code(const Body& body) {
+  if (body.words) return shape_code(*body.words);
+  if (!body.shape) return list(body.points, body.dimension);
+  return fmt::format("{{{}, {}}}", list(core_of(body), body.dimension), number(body.shape->radius));
+}
 
 /// Returns the user's own program: `text` with each @A@ and @B@ replaced by body_code, and each
 /// @A_JSON@ and @B_JSON@ by the body as it is sent to the subject. For a variant it is about the
@@ -433,7 +464,7 @@ std::string filled_harness(std::string text, const SubjectInfo& info, const Case
 }  // namespace
 
 std::string snippet(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
-  const bool asks = !has_words(pair) && outcome.verdict != Verdict::wrong_derivative;
+  const bool asks = !has_words(pair) && pair.a.dimension == 3 && outcome.verdict != Verdict::wrong_derivative;
   const std::optional<AskingProgram> program = asks ? program_for(info) : std::nullopt;
   const Case there = in_unit(pair, outcome.fit);
   return program ? program_text(info, there, outcome, *program) : test_text(info, there, outcome);

@@ -7,10 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "fathom/depth.hpp"
+#include "fathom/answer.hpp"
 #include "kernels/vector.hpp"
-#include "reference/polytope/lattice.hpp"
-#include "reference/polytope/polytope.hpp"
+#include "reference/answer/plane.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/seen_case.hpp"
 #include "verify/harness/shrink/shrink.hpp"
@@ -30,7 +29,13 @@ std::size_t parts_of(const files::NamedBody& words) {
   return parts;
 }
 
-std::size_t parts_of(const Body& body) { return body.words ? parts_of(*body.words) : body.points.size(); }
+/// Whether it is a body of the plane with a radius.
+bool is_rounded(const Body& body) { return body.dimension == 2 && body.shape; }
+
+std::size_t parts_of(const Body& body) {
+  if (is_rounded(body)) return core_of(body).size() + 1;
+  return body.words ? parts_of(*body.words) : body.points.size();
+}
 
 constexpr long ladder[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 44};
 
@@ -44,7 +49,7 @@ mpz_class cut(const mpz_class& value, unsigned bits) {
 constexpr std::size_t usual_tries = 4000, slow_tries = 100;
 
 std::string key_of(const Case& pair) {
-  if (has_words(pair)) return digest_of(pair);
+  if (has_words(pair) || is_rounded(pair.a) || is_rounded(pair.b)) return digest_of(pair);
   std::string key = fmt::format("{};", pair.a.points.size());
   for_each_coordinate(pair, [&](const mpq_class& value) { key += value.get_str(62) + ';'; });
   return key;
@@ -52,20 +57,18 @@ std::string key_of(const Case& pair) {
 
 bool fits(const Case& pair, Precision precision) {
   bool all = true;
+  for (const Body* body : {&pair.a, &pair.b})
+    if (is_rounded(*body)) all = all && representable(body->shape->radius, precision);
   for_each_number(pair, [&](const mpq_class& value) { all = all && representable(value, precision); });
   return all;
-}
-
-bool is_solid(const Body& body) {
-  if (body.shape) return !is_flat(*body.shape);
-  return body.points.size() > 3 && polytope::affine_rank(polytope::place(body.points, body.points).a.points()) == 3;
 }
 
 /// Returns a certificate of the truth that the checker has accepted.
 std::string proved(const Case& pair, const Outcome& outcome) {
   if (pair.a.shape || pair.b.shape) return accepted_certificate(pair, nullptr);
-  const Depth depth = penetration_depth(pair.a.points, pair.b.points);
-  std::string text = accepted_certificate(pair, depth);
+  const Answer answer = exact_answer(pair.a, pair.b);
+  const Depth& depth = std::get<Depth>(answer.found);
+  std::string text = pair.a.dimension == 2 ? accepted_certificate(pair, nullptr) : accepted_certificate(pair, depth);
   // The truth about a variant is that about the case times a power of 4; the harness judged it by a
   // solution of its own.
   const bool same =
@@ -91,6 +94,8 @@ Size size_of(const Case& pair) {
     size.bits += cost(value);
     size.signs += value < 0 ? 1 : 0;
   });
+  for (const Body* body : {&pair.a, &pair.b})
+    if (is_rounded(*body)) size.bits += cost(body->shape->radius);
   return size;
 }
 
@@ -141,8 +146,8 @@ Search::Search(Verdict verdict, const Examine& examine, const std::function<void
       certify_(settings.certify) {}
 
 bool Search::begin(Case pair) {
-  solid_a_ = keep_solid_ && is_solid(pair.a);
-  solid_b_ = keep_solid_ && is_solid(pair.b);
+  solid_a_ = keep_solid_ && !answer::is_flat_body(pair.a);
+  solid_b_ = keep_solid_ && !answer::is_flat_body(pair.b);
   result_.tried = 1;
   examined_.insert(key_of(pair));
   Outcome outcome = examine_(pair);
@@ -157,7 +162,7 @@ bool Search::offer(Case candidate) {
   const auto is_none = [](const Body& body) { return !body.shape && body.points.empty(); };
   if (over_ || is_none(candidate.a) || is_none(candidate.b) || size_of(candidate) >= size_) return false;
   if (!fits(candidate, precision_) || !examined_.insert(key_of(candidate)).second) return false;
-  if ((solid_a_ && !is_solid(candidate.a)) || (solid_b_ && !is_solid(candidate.b))) return false;
+  if ((solid_a_ && answer::is_flat_body(candidate.a)) || (solid_b_ && answer::is_flat_body(candidate.b))) return false;
   over_ = result_.tried >= tries_ || (stop_ && stop_());
   if (over_) return false;
   ++result_.tried;

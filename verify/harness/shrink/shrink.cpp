@@ -5,16 +5,39 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
+#include "fathom/plane.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/seen_case.hpp"
 
 namespace fathom::harness {
 namespace {
+
+/// The points of a body without words; of a rounded one of the plane those of its core.
+std::vector<Point> corners_of(const Body& body) {
+  std::vector<Point> corners;
+  for_each_hull(body, [&](const std::vector<Point>& points) { corners = points; });
+  return corners;
+}
+
+/// Applies use(mpq_class&) to the radii of bodies of the plane that have one: of both, or of one.
+/// Bodies whose radius becomes 0 are their cores.
+template <class SomeCase, class Use>
+void for_each_radius(SomeCase& pair, const Use& use, Body Case::*only = nullptr) {
+  for (Body Case::*which : {&Case::a, &Case::b}) {
+    auto& body = pair.*which;
+    if ((only && which != only) || body.dimension != 2 || !body.shape) continue;
+    use(body.shape->radius);
+    if constexpr (!std::is_const_v<SomeCase>)
+      if (body.shape->radius == 0) body = in_plane(Body{core_of(body)});
+  }
+}
 
 // ---- delta debugging of the points (Zeller and Hildebrandt 2002: ddmin, its complements only)
 // ----
@@ -29,8 +52,8 @@ std::vector<Point> extreme(const std::vector<Point>& points) {
 void drop_inner(Search& search) {
   const Case before = search.best();
   Case both = before;
-  both.a.points = extreme(before.a.points);
-  both.b.points = extreme(before.b.points);
+  for (Body* body : {&both.a, &both.b})
+    for_each_hull(*body, [](std::vector<Point>& points) { points = extreme(points); });
   if (search.offer(both)) return;
   search.offer({before.id, both.a, before.b});
   search.offer({before.id, before.a, both.b});
@@ -40,11 +63,14 @@ void drop_inner(Search& search) {
 bool drop_chunks(Search& search, Body Case::*body, std::size_t length) {
   bool dropped = false;
   std::size_t begin = 0;
-  while (begin < (search.best().*body).points.size() && !search.over()) {
+  for (std::size_t count; begin < (count = corners_of(search.best().*body).size()) && !search.over();) {
+    const std::size_t end = std::min(count, begin + length);
     Case candidate = search.best();
-    std::vector<Point>& points = (candidate.*body).points.edit();
-    const auto first = points.begin() + static_cast<std::ptrdiff_t>(begin);
-    points.erase(first, first + static_cast<std::ptrdiff_t>(std::min(length, points.size() - begin)));
+    if (end - begin < count)  // something must be left
+      for_each_hull(candidate.*body, [&](std::vector<Point>& points) {
+        points.erase(points.begin() + static_cast<std::ptrdiff_t>(begin),
+                     points.begin() + static_cast<std::ptrdiff_t>(end));
+      });
     if (search.offer(std::move(candidate))) dropped = true;
     else begin += length;
   }
@@ -52,7 +78,7 @@ bool drop_chunks(Search& search, Body Case::*body, std::size_t length) {
 }
 
 void drop_by_halves(Search& search, Body Case::*body) {
-  std::size_t length = ((search.best().*body).points.size() + 1) / 2;
+  std::size_t length = (corners_of(search.best().*body).size() + 1) / 2;
   while (length > 0 && !search.over()) {
     const bool dropped = drop_chunks(search, body, length);
     if (length == 1 && !dropped) return;
@@ -74,8 +100,8 @@ constexpr std::size_t vertices_tried = 8;
 
 /// Returns the corners and the centre of the bounding box of all points, and their mean.
 std::vector<Point> centres(const Case& pair) {
-  std::vector<Point> points = pair.a.points;
-  points.insert(points.end(), pair.b.points.begin(), pair.b.points.end());
+  std::vector<Point> points = corners_of(pair.a);
+  std::ranges::copy(corners_of(pair.b), std::back_inserter(points));
   Point low, middle, mean;
   for (const auto axis : axes) {
     const auto less = [axis](const Point& p, const Point& q) { return p.*axis < q.*axis; };
@@ -90,14 +116,17 @@ std::vector<Point> centres(const Case& pair) {
 
 /// Returns the case moved by -to, with coordinates rounded if they are not exact.
 std::optional<Case> moved(Case pair, const Point& to, Precision precision) {
+  bool fits = true;
   for (Body* body : {&pair.a, &pair.b})
-    for (Point& p : body->points.edit())
-      for (const auto axis : axes) {
-        const std::optional<mpq_class> value = rounded(mpq_class(p.*axis - to.*axis), precision);
-        if (!value) return std::nullopt;
-        p.*axis = *value;
-      }
-  return pair;
+    for_each_hull(*body, [&](std::vector<Point>& points) {
+      for (Point& p : points)
+        for (const auto axis : axes) {
+          const std::optional<mpq_class> value = rounded(mpq_class(p.*axis - to.*axis), precision);
+          fits = fits && value;
+          if (value) p.*axis = *value;
+        }
+    });
+  return fits ? std::optional(std::move(pair)) : std::nullopt;
 }
 
 /// Moves both bodies so that a vertex, or a centre, lies at the origin, and rounds coordinates that
@@ -105,8 +134,11 @@ std::optional<Case> moved(Case pair, const Point& to, Precision precision) {
 void move_to_origin(Search& search) {
   const Case before = search.best();
   std::vector<Point> places = centres(before);
-  for (const Body* body : {&before.a, &before.b})
-    for (std::size_t i = 0; i < std::min(body->points.size(), vertices_tried); ++i) places.push_back(body->points[i]);
+  for (const Body* body : {&before.a, &before.b}) {
+    const std::vector<Point> corners = corners_of(*body);
+    places.insert(places.end(), corners.begin(),
+                  corners.begin() + static_cast<std::ptrdiff_t>(std::min(corners.size(), vertices_tried)));
+  }
   // Moves along one axis at a time as well, because the verdict may depend on the position along
   // another.
   for (const Point& place : places) {
@@ -131,6 +163,7 @@ void rescale(Search& search) {
   for (const long exponent : {-*finest, -exponent_of(largest)}) {
     Case candidate = search.best();
     for_each_coordinate(candidate, [&](mpq_class& value) { value = scaled(value, exponent); });
+    for_each_radius(candidate, [&](mpq_class& radius) { radius = scaled(radius, exponent); });
     search.offer(std::move(candidate));
   }
 }
@@ -149,7 +182,9 @@ void round_to_integers(Search& search) {
   if (largest == 0) return;
   for (const long size : integer_extents) {
     Case candidate = before;
-    for_each_coordinate(candidate, [&](mpq_class& value) { value = nearest_integer(value * size / largest); });
+    const auto round = [&](mpq_class& value) { value = nearest_integer(value * size / largest); };
+    for_each_coordinate(candidate, round);
+    for_each_radius(candidate, round);
     if (search.over() || search.offer(std::move(candidate))) return;
   }
 }
@@ -163,8 +198,10 @@ void round_to_grids(Search& search, std::vector<Body Case::*> bodies, std::vecto
   for (const long bits : grid_bits) {
     Case candidate = before;
     for (Body Case::*body : bodies)
-      for (Point& p : (candidate.*body).points.edit())
-        for (mpq_class Point::*axis : chosen) p.*axis = to_multiple(p.*axis, top - bits);
+      for_each_hull(candidate.*body, [&](std::vector<Point>& points) {
+        for (Point& p : points)
+          for (mpq_class Point::*axis : chosen) p.*axis = to_multiple(p.*axis, top - bits);
+      });
     if (search.over() || search.offer(std::move(candidate))) return;
   }
 }
@@ -173,7 +210,7 @@ void round_to_grids(Search& search, std::vector<Body Case::*> bodies, std::vecto
 std::vector<mpq_class> values_on(const Case& pair, mpq_class Point::*axis) {
   std::vector<mpq_class> values;
   for (const Body* body : {&pair.a, &pair.b})
-    for (const Point& p : body->points) values.push_back(p.*axis);
+    for (const Point& p : corners_of(*body)) values.push_back(p.*axis);
   std::ranges::sort(values, [](const mpq_class& p, const mpq_class& q) {
     const std::size_t left = cost(p), right = cost(q);
     return left != right ? left > right : p < q;
@@ -202,18 +239,20 @@ void simplify_everywhere(Search& search, mpq_class Point::*axis) {
     for (const mpq_class& other : replacements(value, values)) {
       Case candidate = search.best();
       for (Body* body : {&candidate.a, &candidate.b})
-        for (Point& p : body->points.edit())
-          if (p.*axis == value) p.*axis = other;
+        for_each_hull(*body, [&](std::vector<Point>& points) {
+          for (Point& p : points)
+            if (p.*axis == value) p.*axis = other;
+        });
       if (search.over() || search.offer(std::move(candidate))) break;
     }
 }
 
 void simplify_singly(Search& search, Body Case::*body, mpq_class Point::*axis) {
-  for (std::size_t i = 0; i < (search.best().*body).points.size(); ++i) {
-    const mpq_class value = (search.best().*body).points[i].*axis;
+  for (std::size_t i = 0, count = corners_of(search.best().*body).size(); i < count; ++i) {
+    const mpq_class value = corners_of(search.best().*body)[i].*axis;
     for (const mpq_class& other : replacements(value, values_on(search.best(), axis))) {
       Case candidate = search.best();
-      (candidate.*body).points.edit()[i].*axis = other;
+      for_each_hull(candidate.*body, [&](std::vector<Point>& points) { points[i].*axis = other; });
       if (search.over() || search.offer(std::move(candidate))) break;
     }
   }
@@ -228,12 +267,26 @@ void round_together(Search& search) {
   for (mpq_class Point::*axis : axes) round_to_grids(search, {&Case::a, &Case::b}, {axis});
 }
 
+void simplify_radius(Search& search, Body Case::*body) {
+  std::vector<mpq_class> radii;
+  for_each_radius(
+      search.best(), [&](const mpq_class& radius) { radii.push_back(radius); }, body);
+  for (const mpq_class& radius : radii)
+    for (const mpq_class& other : simpler(radius)) {
+      Case candidate = search.best();
+      for_each_radius(
+          candidate, [&](mpq_class& radius) { radius = abs(other); }, body);
+      if (search.over() || search.offer(std::move(candidate))) break;
+    }
+}
+
 /// Replaces values one by one on each axis, wherever they occur, then single coordinates: by 0, a
-/// value that occurs already, an integer, fewer bits, half of it.
+/// value that occurs already, an integer, fewer bits, half of it; then radii.
 void simplify_values(Search& search) {
   for (mpq_class Point::*axis : axes) simplify_everywhere(search, axis);
   for (Body Case::*body : {&Case::a, &Case::b})
     for (mpq_class Point::*axis : axes) simplify_singly(search, body, axis);
+  for (Body Case::*body : {&Case::a, &Case::b}) simplify_radius(search, body);
 }
 
 // ---- cases whose bodies have names ----
@@ -411,7 +464,8 @@ Shrunk shrink(const Case& pair, Verdict verdict, const Examine& examine,
               const ShrinkSettings& settings) {
   const bool of_shapes = has_words(pair);
   for (const Body* body : {&pair.a, &pair.b})
-    if (!body->words && body->points.empty()) throw std::invalid_argument("shrink: a body without points or words");
+    if (!body->words && corners_of(*body).empty())
+      throw std::invalid_argument("shrink: a body without points or words");
   Case seen = pair;
   for_each_coordinate(seen, [&](mpq_class& value) {
     const std::optional<mpq_class> near = rounded(value, settings.precision);
