@@ -214,10 +214,11 @@ std::string body_text(const std::string& name, const Body& body, bool with_faces
   return fmt::format("const Body {} = {{\n    {{  // points\n        {}}}{}}};\n", name, points_text(body), faces);
 }
 
-std::string vector_text(const std::array<double, 3>& v) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }
-
 std::string claim_text(const Outcome& outcome) {
   if (!outcome.reply) return "none";
+  const auto vector_text = [&](const std::array<double, 3>& v) {
+    return outcome.dimension == 2 ? fmt::format("({}, {})", v[0], v[1]) : fmt::format("({}, {}, {})", v[0], v[1], v[2]);
+  };
   const Reply& reply = *outcome.reply;
   std::string text = reply.overlap ? "overlap" : "no overlap";
   if (!reply.overlap && !reply.distance) return text;
