@@ -27,7 +27,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 # # Exit codes of certify that do not end the survey: 1 for a failed verdict, which is expected; 2 for a case that has no form in the
 # # subject's numbers; 4 if all were declined.
 ENDS = (0, 1, 2, 4)
-
+COUNTED = re.compile(r"^\d+ cases?: ", re.MULTILINE)  # at the end of the table
 
 ATTEMPTS = 2
 SCHEMA = "fathom/survey/3"
@@ -112,7 +112,8 @@ def certify(options, task):
         resume = ["--resume"] * report.exists()
         done = subprocess.run([*words, *resume], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
         report.with_suffix(".log").write_text(done.stdout, encoding="utf-8")
-        if done.returncode in ENDS and report.exists() and tally.is_whole(report):
+        # A report that is there may be refused, with the exit code of a bad case: then nothing was counted.
+        if done.returncode in ENDS and COUNTED.search(done.stdout) and report.exists() and tally.is_whole(report):
             return done.stdout.rstrip().rpartition("\n")[2]
     raise Failed(f"{report.name} ended with {done.returncode}; see {report.with_suffix('.log')}")
 
