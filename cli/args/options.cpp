@@ -88,14 +88,16 @@ std::vector<Option> make_table() {
        "the translation may be longer than the depth by a factor of 1 + DELTA; 1/100 unless given. About 4 / DELTA "
        "rays are shot",
        {wrong_delta}},
-      {"ray", "--direction", "X,Y,Z", "where A is to move", {wrong_vector}},
+      {"ray", "--direction", "X,Y,Z", "where A is to move; X,Y in the plane", {wrong_vector}},
       flag("ray", "--growth",
            "instead of a direction: the growth distance, the least factor by which both bodies are scaled about their "
            "centers so that they touch. It is below 1 if they penetrate, above 1 if they are apart"),
       {"ray",
        "--center-a",
        "X,Y,Z",
-       "with --growth: about which point A is scaled, where the bodies stand; the mean of A's corners unless given",
+       "with --growth: about which point A is scaled, where the bodies stand, X,Y in the plane; the mean of A's "
+       "corners "
+       "unless given",
        {wrong_point}},
       {"ray", "--center-b", "X,Y,Z", "the same for B", {wrong_point}},
       file("metric", "--ball", "Q", FileUse::read,

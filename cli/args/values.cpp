@@ -75,13 +75,14 @@ std::vector<mpq_class> typed_numbers(std::string_view text, std::size_t count) {
 
 }  // namespace
 
-std::optional<Point> typed_point(std::string_view text) {
-  const std::vector<mpq_class> x = typed_numbers(text, 3);
-  return x.empty() ? std::nullopt : std::optional(Point{x[0], x[1], x[2]});
+std::optional<Point> typed_point(std::string_view text, unsigned dimension) {
+  const std::vector<mpq_class> x = typed_numbers(text, dimension);
+  if (x.empty()) return std::nullopt;
+  return Point{x[0], x[1], dimension == 2 ? mpq_class(0) : x[2]};
 }
 
-std::optional<Point> typed_vector(std::string_view text) {
-  const std::optional<Point> point = typed_point(text);
+std::optional<Point> typed_vector(std::string_view text, unsigned dimension) {
+  const std::optional<Point> point = typed_point(text, dimension);
   return point == Point{0, 0, 0} ? std::nullopt : point;
 }
 
@@ -184,11 +185,12 @@ std::string wrong_delta(const std::string& text) {
 }
 
 std::string wrong_point(const std::string& text) {
-  return unless(typed_point(text).has_value(), "three numbers such as 1,0,-1/2", text);
+  return unless(typed_point(text) || typed_point(text, 2), "three numbers such as 1,0,-1/2, in the plane two", text);
 }
 
 std::string wrong_vector(const std::string& text) {
-  return unless(typed_vector(text).has_value(), "three numbers such as 1,0,-1/2, not all zero", text);
+  return unless(typed_vector(text) || typed_vector(text, 2),
+                "three numbers such as 1,0,-1/2, in the plane two, not all zero", text);
 }
 
 std::string wrong_motion(const std::string& text) {

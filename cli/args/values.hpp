@@ -27,10 +27,10 @@ inline constexpr std::array<std::string_view, 3> engine_names{"cutting", "sample
 std::optional<std::uint64_t> typed_integer(std::string_view text, std::uint64_t low = 0,
                                            std::uint64_t high = UINT64_MAX);
 std::optional<mpq_class> typed_number(std::string_view text);
-/// Parses three numbers with commas between them.
-std::optional<Point> typed_point(std::string_view text);
+/// Parses as many numbers as the dimension says, with commas between them; in the plane z is 0.
+std::optional<Point> typed_point(std::string_view text, unsigned dimension = 3);
 /// Parses the same, not all zero.
-std::optional<Point> typed_vector(std::string_view text);
+std::optional<Point> typed_vector(std::string_view text, unsigned dimension = 3);
 /// Parses six numbers with commas between them, not all zero: v, and w; with the dimension 2 three:
 /// two of v, and the angular speed.
 std::optional<Twist> typed_twist(std::string_view text, unsigned dimension);

@@ -97,7 +97,7 @@ AnsweredCase answered_by(const AskedCase& asked, const DepthRequest& request, co
   } else if (single.a.shape || b.shape) {
     if (request.shallow) throw InputError(single.id, 0, "--method shallow takes polytopes, found a shape that is none");
     if (!one && single.a.shape && b.shape) require_depth(single.id, *single.a.shape, *b.shape);
-  } else if (request.shallow || one) {
+  } else if (request.shallow || (one && single.a.dimension == 3)) {
     Answer answer = request.shallow ? shallow_answer(single.a, b, question.options)
                                     : Answer{width(single.a.points, question.options)};
     const BodyFacts facts = facts_of(single.a, b, answer);
@@ -117,7 +117,6 @@ AnsweredCase answered_by(const AskedCase& asked, const DepthRequest& request, co
 Replies exact_replies(const DepthRequest& request) {
   Replies replies;
   if (request.one_body) replies.refuses_unions = shapes::width_of_union;
-  replies.refuses_plane = request.one_body ? no_plane : "";
   replies.reply = [&request, files = std::make_shared<Files>(request)](const AskedCase& asked, Monitor& monitor,
                                                                        Workspace& workspace) -> CaseReply {
     const std::unique_ptr<CertificateFile> proof = files->certificates.single();  // fails early for an unwritable path

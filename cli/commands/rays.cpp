@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom approx --delta D A B | CASES.jsonl | -
 // fathom width [--delta D] A | CASES.jsonl | -
-// fathom ray --direction X,Y,Z A B | CASES.jsonl | -
+// fathom ray --direction X,Y[,Z] A B | CASES.jsonl | -
 // fathom ray --growth [--center-a X,Y,Z] [--center-b X,Y,Z] A B | CASES.jsonl | -
 // fathom metric --ball Q A B | CASES.jsonl | -
 // Lengths found by shooting rays: depths within a factor, in one direction, and in a polyhedral
@@ -13,6 +13,8 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "cli/args/values.hpp"
@@ -24,12 +26,36 @@
 #include "fathom/approximate.hpp"
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
+#include "kernels/messages.hpp"
 #include "reference/approximate/ray.hpp"
 #include "reference/output/json_values.hpp"
 #include "reference/shapes/body_notes.hpp"
 
 namespace fathom::cli {
 namespace {
+
+/// Returns the form for bodies of that dimension.
+AnswerForm in_dimension(AnswerForm form, unsigned dimension) {
+  form.dimension = dimension;
+  return form;
+}
+
+/// Returns the point that was typed with an option, which has as many numbers as the bodies.
+Point given_point(const std::string& option, const std::string& text, unsigned dimension) {
+  const std::optional<Point> point = typed_point(text, dimension);
+  const char* const expected =
+      dimension == 2 ? "two numbers X,Y of bodies of the plane" : "three numbers X,Y,Z of bodies of space";
+  return point ? *point
+               : throw InputError(option, 0, fmt::format("expected {}, found {}", expected, kernels::shown(text)));
+}
+
+/// Returns the first members of a JSON object about bodies.
+Json json_head(const char* schema, const std::string& id, unsigned dimension, Status status) {
+  Json object = {{"schema", schema}, {"id", id}};
+  if (dimension == 2) object["dimension"] = dimension;
+  object["status"] = name(status);
+  return object;
+}
 
 /// Returns the absolute value as root_text prints numbers.
 std::string decimal(const mpq_class& value) { return root_text(value * value); }
@@ -62,9 +88,9 @@ std::string approx_block(const ApproxDepth& depth, const output::AboutBodies& bo
   if (form.digits) rows.emplace_back("enclosure", enclosure_text(depth.squared(), *form.digits));
   rows.emplace_back("delta", exact_text(depth.delta));
   rows.emplace_back("rays", fmt::format("{}", rays(depth)));
-  rows.emplace_back(direction_label(depth), way_text(depth.direction(), form.exact));
+  rows.emplace_back(direction_label(depth), way_text(depth.direction(), form));
   if (const ApproxPenetration* found = depth.penetration()) {
-    if (!form.width) rows.emplace_back("translation", place_text(found->translation, form.exact));
+    if (!form.width) rows.emplace_back("translation", place_text(found->translation, form));
     rows.emplace_back("contact", contact_text(found->contact, form.width));
     if (found->witness) add_witness(rows, *found->witness, form);
   }
@@ -83,7 +109,7 @@ std::string approx_line(const std::string& id, const ApproxDepth& depth, const A
     if (form.exact) parts.push_back(quantity(form) + "^2 at most " + exact_text(depth.squared()));
     if (form.digits) parts.push_back("in " + enclosure_text(depth.squared(), *form.digits));
   }
-  parts.push_back(direction_label(depth) + " " + way_text(depth.direction(), form.exact));
+  parts.push_back(direction_label(depth) + " " + way_text(depth.direction(), form));
   if (depth.penetration()) parts.emplace_back(name(depth.penetration()->contact.kind));
   if (const std::string flat = flat_text(depth, form.width); !flat.empty()) parts.push_back("flat " + flat);
   return case_line(id, parts);
@@ -97,17 +123,17 @@ std::string approx_json(const std::string& id, const ApproxDepth& depth, const o
                            least = kernels::roundings_of_root(depth.bound_squared());
   const auto witness = found ? found->witness : std::nullopt;
   output::Result result{id,
-                        std::nullopt,
+                        form.dimension == 2 ? std::optional(form.dimension) : std::nullopt,
                         name(depth.status()),
                         output::signed_depth_object(signed_bounds(depth.status(), least, most)),
                         output::length(depth.squared(), most, form.digits),
-                        output::exact(depth.translation()),
-                        output::exact(depth.direction()),
+                        output::exact(depth.translation(), form.dimension),
+                        output::exact(depth.direction(), form.dimension),
                         found ? output::contact_object(found->contact) : Json(),
-                        witness ? output::witness_object(*witness) : Json(),
-                        output::unit_f64(depth.direction()),
-                        output::translation_f64(std::optional(depth.translation())),
-                        output::witness_f64(witness)};
+                        witness ? output::witness_object(*witness, form.dimension) : Json(),
+                        output::unit_f64(depth.direction(), form.dimension),
+                        output::translation_f64(std::optional(depth.translation()), form.dimension),
+                        output::witness_f64(witness, form.dimension)};
   result.sizes = output::sizes_object(bodies.sizes);
   result.hull = output::hull_object(bodies.hull);
   result.flat = output::flat_array(depth);
@@ -128,8 +154,8 @@ struct ApproxRequest : BodiesRequest {
 };
 
 ApproxDepth solve(const Case& single, const ApproxRequest& request, Monitor& monitor) {
-  return request.one_body ? approx_width(single.a.points, request.delta, &monitor)
-                          : approx_depth(single.a.points, single.b.points, request.delta, &monitor);
+  return request.one_body ? approx_width(single.a, request.delta, &monitor)
+                          : approx_depth(single.a, single.b, request.delta, &monitor);
 }
 
 /// Warns, but does not refuse: the run can be interrupted, and its progress is shown.
@@ -152,9 +178,9 @@ Replies approximate_replies(const ApproxRequest& request) {
   replies.reply = [&request](const AskedCase& asked, Monitor& monitor, Workspace&) -> CaseReply {
     const std::string& id = asked.input.id;
     const ApproxDepth depth = solve(asked, request, monitor);
-    if (request.json) return {approx_json(id, depth, asked.bodies, request.form)};
-    return {is_stream(request) ? approx_line(id, depth, request.form)
-                               : approx_block(depth, asked.bodies, request.form)};
+    const AnswerForm form = in_dimension(request.form, asked.input.a.dimension);
+    if (request.json) return {approx_json(id, depth, asked.bodies, form)};
+    return {is_stream(request) ? approx_line(id, depth, form) : approx_block(depth, asked.bodies, form)};
   };
   if (request.json)
     replies.error_line = [](const CaseItem& item, const std::string& fault) {
@@ -168,11 +194,10 @@ Replies approximate_replies(const ApproxRequest& request) {
 constexpr const char* ray_schema = "fathom/ray/1";
 
 struct RayRequest : BodiesRequest {
-  explicit RayRequest(const Given& given)
-      : BodiesRequest(given), form(given), direction(typed_vector(given.text("--direction")).value()) {}
+  explicit RayRequest(const Given& given) : BodiesRequest(given), form(given), direction(given.text("--direction")) {}
 
   AnswerForm form;
-  Point direction;
+  std::string direction;  ///< as typed
 };
 
 std::string normal_label(const DirectionalDepth& depth) {
@@ -180,45 +205,43 @@ std::string normal_label(const DirectionalDepth& depth) {
 }
 
 /// Returns several lines, or one; without the last newline.
-std::string ray_block(const DirectionalDepth& depth, const RayRequest& request) {
-  std::vector<Row> rows{{"depth along", place_text(request.direction, request.form.exact)},
-                        {"length", root_text(depth.squared())}};
-  if (request.form.exact) rows.emplace_back("length^2", exact_text(depth.squared()));
-  if (request.form.digits) rows.emplace_back("enclosure", enclosure_text(depth.squared(), *request.form.digits));
-  if (request.form.exact) rows.emplace_back("factor", exact_text(depth.factor()));
-  if (depth.status() == Status::penetrating)
-    rows.emplace_back("translation", place_text(depth.translation(), request.form.exact));
-  rows.emplace_back(normal_label(depth), way_text(depth.normal(), request.form.exact));
+std::string ray_block(const DirectionalDepth& depth, const Point& direction, const AnswerForm& form) {
+  std::vector<Row> rows{{"depth along", place_text(direction, form)}, {"length", root_text(depth.squared())}};
+  if (form.exact) rows.emplace_back("length^2", exact_text(depth.squared()));
+  if (form.digits) rows.emplace_back("enclosure", enclosure_text(depth.squared(), *form.digits));
+  if (form.exact) rows.emplace_back("factor", exact_text(depth.factor()));
+  if (depth.status() == Status::penetrating) rows.emplace_back("translation", place_text(depth.translation(), form));
+  rows.emplace_back(normal_label(depth), way_text(depth.normal(), form));
   if (const RayExit* exit = depth.penetration()) {
     rows.emplace_back("contact", contact_text(exit->contact));
-    add_witness(rows, exit->witness, request.form);
+    add_witness(rows, exit->witness, form);
   }
   if (const std::string flat = flat_text(depth); !flat.empty()) rows.emplace_back("flat", flat);
   if (depth.flat_a && depth.status() == Status::penetrating) rows.push_back(flat_note());
   return aligned(std::string(name(depth.status())), rows);
 }
 
-std::string ray_line(const std::string& id, const DirectionalDepth& depth, const RayRequest& request) {
+std::string ray_line(const std::string& id, const DirectionalDepth& depth, const AnswerForm& form) {
   std::vector<std::string> parts{std::string(name(depth.status())), "length " + root_text(depth.squared())};
-  if (depth.status() == Status::penetrating)
-    parts.push_back("translation " + place_text(depth.translation(), request.form.exact));
-  parts.push_back(normal_label(depth) + " " + way_text(depth.normal(), request.form.exact));
+  if (depth.status() == Status::penetrating) parts.push_back("translation " + place_text(depth.translation(), form));
+  parts.push_back(normal_label(depth) + " " + way_text(depth.normal(), form));
   if (depth.penetration()) parts.emplace_back(name(depth.penetration()->contact.kind));
   if (const std::string flat = flat_text(depth); !flat.empty()) parts.push_back("flat " + flat);
   return case_line(id, parts);
 }
 
 /// Returns one line, without its newline, in ASCII for any id.
-std::string ray_json(const std::string& id, const DirectionalDepth& depth, const RayRequest& request) {
+std::string ray_json(const std::string& id, const DirectionalDepth& depth, const Point& direction,
+                     const AnswerForm& form) {
   const RayExit* const exit = depth.penetration();
-  Json result = {
-      {"schema", ray_schema}, {"id", id}, {"status", name(depth.status())}, {"ray", output::exact(request.direction)}};
+  Json result = json_head(ray_schema, id, form.dimension, depth.status());
+  result["ray"] = output::exact(direction, form.dimension);
   result["factor"] = exact_text(depth.factor());
-  result["length"] = output::length(depth.squared(), request.form.digits);
-  result["translation"] = output::exact(depth.translation());
-  result["normal"] = output::exact(depth.normal());
+  result["length"] = output::length(depth.squared(), form.digits);
+  result["translation"] = output::exact(depth.translation(), form.dimension);
+  result["normal"] = output::exact(depth.normal(), form.dimension);
   result["contact"] = exit ? output::contact_object(exit->contact) : Json();
-  result["witness"] = exit ? output::witness_object(exit->witness) : Json();
+  result["witness"] = exit ? output::witness_object(exit->witness, form.dimension) : Json();
   result["flat"] = output::flat_array(depth);
   result["steps"] = exit ? exit->steps : 0;
   return result.text();
@@ -235,22 +258,19 @@ constexpr const char* growth_schema = "fathom/growth/1";
 
 struct GrowthRequest : BodiesRequest {
   explicit GrowthRequest(const Given& given)
-      : BodiesRequest(given),
-        form(given),
-        center_a(typed_point(given.text("--center-a"))),
-        center_b(typed_point(given.text("--center-b"))) {}
+      : BodiesRequest(given), form(given), center_a(given.value("--center-a")), center_b(given.value("--center-b")) {}
 
   AnswerForm form;
-  std::optional<Point> center_a, center_b;
+  std::optional<std::string> center_a, center_b;  ///< as typed
 };
 
 /// Returns several lines, or one; without the last newline.
 std::string growth_block(const GrowthDistance& found, const AnswerForm& form) {
   std::vector<Row> rows{{"growth", decimal(found.growth)}};
   if (form.exact) rows.emplace_back("exactly", exact_text(found.growth));
-  add_points(rows, "centers", place_text(found.center_a, form.exact), place_text(found.center_b, form.exact));
+  add_points(rows, "centers", place_text(found.center_a, form), place_text(found.center_b, form));
   if (const GrownTouch* touch = found.touch ? &*found.touch : nullptr) {
-    rows.emplace_back("normal", way_text(touch->normal, form.exact));
+    rows.emplace_back("normal", way_text(touch->normal, form));
     rows.emplace_back("contact", contact_text(touch->contact));
     add_witness(rows, touch->witness, form);
   }
@@ -262,7 +282,7 @@ std::string growth_line(const std::string& id, const GrowthDistance& found, cons
   std::vector<std::string> parts{std::string(name(found.status())), "growth " + decimal(found.growth)};
   if (form.exact) parts.push_back("exactly " + exact_text(found.growth));
   if (found.touch) {
-    parts.push_back("normal " + way_text(found.touch->normal, form.exact));
+    parts.push_back("normal " + way_text(found.touch->normal, form));
     parts.emplace_back(name(found.touch->contact.kind));
   }
   if (const std::string flat = flat_text(found); !flat.empty()) parts.push_back("flat " + flat);
@@ -276,24 +296,29 @@ Json weights_array(const std::vector<Weight>& weights) {
 }
 
 /// Returns one line, without its newline, in ASCII for any id.
-std::string growth_json(const std::string& id, const GrowthDistance& found) {
-  Json object = {{"schema", growth_schema}, {"id", id}, {"status", name(found.status())}};
+std::string growth_json(const std::string& id, const GrowthDistance& found, unsigned dimension) {
+  Json object = json_head(growth_schema, id, dimension, found.status());
   object["growth"] = output::number(found.growth);
-  object["centers"] = {{"a", output::exact(found.center_a)}, {"b", output::exact(found.center_b)}};
+  object["centers"] = {{"a", output::exact(found.center_a, dimension)},
+                       {"b", output::exact(found.center_b, dimension)}};
   const GrownTouch* const touch = found.touch ? &*found.touch : nullptr;
-  object["normal"] = touch ? output::exact(touch->normal) : Json();
+  object["normal"] = touch ? output::exact(touch->normal, dimension) : Json();
   object["contact"] = touch ? output::contact_object(touch->contact) : Json();
   object["weights"] =
       touch ? Json{{"a", weights_array(touch->weights_a)}, {"b", weights_array(touch->weights_b)}} : Json();
-  object["witness"] = touch ? output::witness_object(touch->witness) : Json();
+  object["witness"] = touch ? output::witness_object(touch->witness, dimension) : Json();
   object["flat"] = output::flat_array(found);
   object["steps"] = touch ? touch->steps : 0;
   return object.text();
 }
 
 GrowthDistance growth_of(const Case& pair, const GrowthRequest& request, Monitor& monitor) {
+  const auto center = [&](const char* option, const std::optional<std::string>& text) {
+    return text ? std::optional(given_point(option, *text, pair.a.dimension)) : std::nullopt;
+  };
   try {
-    return growth_distance(pair.a.points, pair.b.points, request.center_a, request.center_b, &monitor);
+    return growth_distance(pair.a, pair.b, center("--center-a", request.center_a),
+                           center("--center-b", request.center_b), &monitor);
   } catch (const NoGrowth& error) {
     throw InputError(pair.id, 0, error.what());
   }
@@ -325,14 +350,14 @@ std::string deciding_text(const MetricResult& result) {
                      words.size() == 1 ? "" : "; the first is shown, --json lists all");
 }
 
-Json optima_array(const MetricResult& result) {
+Json optima_array(const MetricResult& result, unsigned dimension) {
   Json array = Json::array();
   for (const MetricOptimum& optimum : result.optima()) {
     array.push_back({{"vertex", optimum.vertex},
-                     {"translation", output::exact(optimum.translation)},
-                     {"direction", output::exact(optimum.direction)},
+                     {"translation", output::exact(optimum.translation, dimension)},
+                     {"direction", output::exact(optimum.direction, dimension)},
                      {"contact", output::contact_object(optimum.contact)},
-                     {"witness", output::witness_object(optimum.witness)}});
+                     {"witness", output::witness_object(optimum.witness, dimension)}});
   }
   return array;
 }
@@ -347,10 +372,10 @@ std::string metric_block(const MetricResult& result, const UnitBall& ball, const
   if (form.exact) rows.emplace_back("exactly", exact_text(result.depth()));
   rows.emplace_back("unit ball", ball_text(ball));
   if (!result.optima().empty()) rows.emplace_back("vertices", deciding_text(result));
-  rows.emplace_back(direction_label(result), way_text(result.direction(), form.exact));
+  rows.emplace_back(direction_label(result), way_text(result.direction(), form));
   if (!result.optima().empty()) {
     const MetricOptimum& first = result.optima().front();
-    rows.emplace_back("translation", place_text(first.translation, form.exact));
+    rows.emplace_back("translation", place_text(first.translation, form));
     rows.emplace_back("contact", contact_text(first.contact));
     add_witness(rows, first.witness, form);
   }
@@ -364,10 +389,10 @@ std::string metric_line(const std::string& id, const MetricResult& result, const
   std::vector<std::string> parts{std::string(name(result.status())),
                                  fmt::format("depth {} in the {}", decimal(result.depth()), kind(ball))};
   if (!result.optima().empty()) {
-    parts.push_back("translation " + place_text(result.optima().front().translation, form.exact));
+    parts.push_back("translation " + place_text(result.optima().front().translation, form));
     parts.emplace_back(name(result.optima().front().contact.kind));
   } else {
-    parts.push_back(direction_label(result) + " " + way_text(result.direction(), form.exact));
+    parts.push_back(direction_label(result) + " " + way_text(result.direction(), form));
   }
   if (result.optima().size() > 1) parts.push_back(fmt::format("{} ties", result.optima().size()));
   if (const std::string flat = flat_text(result); !flat.empty()) parts.push_back("flat " + flat);
@@ -376,11 +401,11 @@ std::string metric_line(const std::string& id, const MetricResult& result, const
 
 /// Returns one line, without its newline, in ASCII for any id.
 std::string metric_json(const std::string& id, const MetricResult& result, const UnitBall& ball) {
-  Json object = {{"schema", metric_schema}, {"id", id}, {"status", name(result.status())}};
+  Json object = json_head(metric_schema, id, ball.dimension, result.status());
   object["ball"] = {{"kind", kind(ball)}, {"vertices", ball.vertices.size()}};
   object["depth"] = output::number(result.depth());
-  object["direction"] = output::exact(result.direction());
-  object["optima"] = optima_array(result);
+  object["direction"] = output::exact(result.direction(), ball.dimension);
+  object["optima"] = optima_array(result, ball.dimension);
   object["flat"] = output::flat_array(result);
   object["rays"] = result.penetration() ? result.penetration()->rays : 0;
   return object.text();
@@ -400,8 +425,8 @@ struct MetricRequest : BodiesRequest {
 
 UnitBall ball_of(const MetricRequest& request) {
   try {
-    return unit_ball(mesh_of_input(request.ball, request.decimals).points);
-  } catch (const NoUnitBall& error) {
+    return unit_ball(mesh_of_input(request.ball, request.decimals));
+  } catch (const std::invalid_argument& error) {
     throw InputError(request.ball, 0, error.what());
   }
 }
@@ -428,8 +453,9 @@ ExitCode run_growth(const Given& given) {
       "by which factor it must grow is not answered about those; depth says how deep they are, or how far apart";
   replies.reply = [&request](const Case& pair, Monitor& monitor, Workspace&) -> CaseReply {
     const GrowthDistance found = growth_of(pair, request, monitor);
-    if (request.json) return {growth_json(pair.id, found)};
-    return {is_stream(request) ? growth_line(pair.id, found, request.form) : growth_block(found, request.form)};
+    if (request.json) return {growth_json(pair.id, found, pair.a.dimension)};
+    const AnswerForm form = in_dimension(request.form, pair.a.dimension);
+    return {is_stream(request) ? growth_line(pair.id, found, form) : growth_block(found, form)};
   };
   if (request.json)
     replies.error_line = [](const CaseItem& item, const std::string& fault) {
@@ -447,9 +473,11 @@ ExitCode run_ray(const Given& given) {
   replies.refuses_shapes = replies.refuses_unions =
       "how far it must move in one direction is not answered about those; depth says how far in the best one";
   replies.reply = [&request](const Case& pair, Monitor& monitor, Workspace&) -> CaseReply {
-    const DirectionalDepth depth = directional_depth(pair.a.points, pair.b.points, request.direction, &monitor);
-    if (request.json) return {ray_json(pair.id, depth, request)};
-    return {is_stream(request) ? ray_line(pair.id, depth, request) : ray_block(depth, request)};
+    const AnswerForm form = in_dimension(request.form, pair.a.dimension);
+    const Point direction = given_point("--direction", request.direction, form.dimension);
+    const DirectionalDepth depth = directional_depth(pair.a, pair.b, direction, &monitor);
+    if (request.json) return {ray_json(pair.id, depth, direction, form)};
+    return {is_stream(request) ? ray_line(pair.id, depth, form) : ray_block(depth, direction, form)};
   };
   if (request.json)
     replies.error_line = [](const CaseItem& item, const std::string& fault) {
@@ -464,10 +492,12 @@ ExitCode run_metric(const Given& given) {
   Replies replies;
   replies.refuses_shapes = replies.refuses_unions = "depth answers about those, in Euclid's norm";
   replies.reply = [&](const Case& pair, Monitor& monitor, Workspace&) -> CaseReply {
-    const MetricResult result = metric_depth(pair.a.points, pair.b.points, ball, &monitor);
+    if (pair.a.dimension != ball.dimension)
+      throw InputError(pair.id, 0, "expected bodies and a unit ball that are all of the plane, or all of space");
+    const MetricResult result = metric_depth(pair.a, pair.b, ball, &monitor);
     if (request.json) return {metric_json(pair.id, result, ball)};
-    return {is_stream(request) ? metric_line(pair.id, result, ball, request.form)
-                               : metric_block(result, ball, request.form)};
+    const AnswerForm form = in_dimension(request.form, ball.dimension);
+    return {is_stream(request) ? metric_line(pair.id, result, ball, form) : metric_block(result, ball, form)};
   };
   if (request.json)
     replies.error_line = [](const CaseItem& item, const std::string& fault) {

@@ -76,7 +76,7 @@ struct Replies {
   /// As in StreamWork.
   std::string refuses_unions = {};
   /// As in StreamWork.
-  std::string refuses_plane = no_plane;
+  std::string refuses_plane = {};
 };
 
 /// Throws InputError if both shapes are half-spaces.
@@ -87,7 +87,7 @@ void require_depth(const std::string& id, const Shape& a, const Shape& b);
 /// the ids of the stream; and, for a union of pieces or a shape, with the reason to refuse it, if
 /// there is one. Sets `text`, if it is given, to that of a case of a stream.
 Case asked_case(const BodiesRequest& request, const std::string& refuses_unions = "",
-                const std::string& refuses_shapes = "", const std::string& refuses_plane = no_plane,
+                const std::string& refuses_shapes = "", const std::string& refuses_plane = "",
                 std::string* text = nullptr);
 
 /// Returns the case with the facts about its bodies. Throws InputError if the request requires

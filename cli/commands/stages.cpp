@@ -152,6 +152,7 @@ ExitCode run_stages(const Given& given) {
   Replies replies;
   const auto pictures = std::make_shared<FilePlaces>(request, request.svg, "picture", ".svg");
   replies.refuses_unions = "the stages are those of two convex bodies; explain shows how a union was answered";
+  replies.refuses_plane = "the stages are those of the exact method in space; explain draws those";
   replies.reply = [&request, pictures](const Case& pair, Monitor& monitor, Workspace&) {
     const std::unique_ptr<CertificateFile> drawing = pictures->single();  // fails early for an unwritable path
     if (has_shape(pair)) require_depth(pair.id, files::shape_of(pair.a), files::shape_of(pair.b));

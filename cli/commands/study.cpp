@@ -369,6 +369,7 @@ ExitCode run_study(const Given& given) {
   PageFile page(given, request);
   Replies replies;
   replies.refuses_unions = shapes::study_of_union;
+  replies.refuses_plane = "what it names are coincidences in space, as the exact method meets them; depth lists ties";
   replies.reply = [&](const AskedCase& pair, Monitor& monitor, Workspace&) {
     if (has_shape(pair)) return page.reply(pair, shape_study_of(pair, request, monitor), monitor);
     return page.reply(pair, study(pair.input.a.points, pair.input.b.points, options_of(request, &monitor)), monitor);

@@ -124,13 +124,10 @@ struct StreamWork {
 /// Returns whether a body of the case is a shape that is no polytope.
 inline bool has_shape(const Case& single) { return single.a.shape || single.b.shape; }
 
-/// Why most commands take no bodies of the plane.
-inline constexpr const char* no_plane = "of the commands, depth and explain take those";
-
 /// Returns what is wrong with the bodies of a case, given the reasons to refuse shapes, unions and
 /// bodies of the plane, each of which may be empty; or "".
 std::string wrong_bodies(const Case& single, bool one_body, const std::string& refuses_shapes,
-                         const std::string& refuses_unions, const std::string& refuses_plane = no_plane);
+                         const std::string& refuses_unions, const std::string& refuses_plane);
 
 /// Returns what is wrong with the meshes of a case if they must be convex, or "".
 std::string wrong_meshes(const shapes::HullFacts& facts, bool require_convex);

@@ -206,8 +206,8 @@ void add_ties(Rows& rows, const Answer& answer, const AnswerForm& form) {
   if (count > 1)
     rows.emplace_back("ties", fmt::format("{} {}; the first is shown, --json lists all", count,
                                           unions(answer)        ? "translations"
+                                          : form.dimension == 2 ? (form.width ? "pairs of lines" : "nearest edges")
                                           : form.width          ? "pairs of planes"
-                                          : form.dimension == 2 ? "nearest edges"
                                                                 : "nearest facets"));
 }
 

@@ -202,14 +202,13 @@ void require_points(const Body& body) {
 
 using PointSpan = std::span<const Point>;
 
-/// Asks about the points of two polytopes; in the plane about prisms that are twice as high as an
-/// answer needs, so that an approximate one does not meet their ends.
+/// Asks about the points of two polytopes; in the plane about those that stand for them.
 template <class Ask>
 auto asked_of_points(const Body& a, const Body& b, const Ask& ask) {
   require_points(a);
   require_points(b);
   if (a.dimension == 3 && b.dimension == 3) return ask(PointSpan(a.points), PointSpan(b.points));
-  const Prisms prisms = prisms_of(a, b, 2);
+  const Prisms prisms = prisms_of(a, b);
   auto found = ask(PointSpan(prisms.a.points), PointSpan(prisms.b.points));
   map(a, b, found);
   return found;
@@ -244,11 +243,11 @@ mpq_class height_above(const Body& a, const Body& b) {
   return power;
 }
 
-Prisms prisms_of(const Body& a, const Body& b, unsigned times) {
+Prisms prisms_of(const Body& a, const Body& b) {
   if (a.dimension != 2 || b.dimension != 2)
     throw std::invalid_argument("a body of the plane and one of space are given: both must be of one of them");
   if (shapes::is_halfspace(a) || shapes::is_halfspace(b)) return {flat_in_space(a), flat_in_space(b), 0};
-  mpq_class height = height_above(a, b) * times;
+  mpq_class height = height_above(a, b);
   Body raised_b = raised(b, height);
   return {a.pieces || b.pieces ? raised(a, height) : flat_in_space(a), std::move(raised_b), std::move(height)};
 }

@@ -43,8 +43,8 @@ struct Prisms {
 /// their cores.
 mpq_class height_above(const Body& a, const Body& b);
 
-/// Bodies raised by `times` that height. Throws std::invalid_argument unless both are of the plane.
-Prisms prisms_of(const Body& a, const Body& b, unsigned times = 1);
+/// Throws std::invalid_argument unless both are of the plane.
+Prisms prisms_of(const Body& a, const Body& b);
 
 /// A height of which certificates prove that nothing is gained by leaving the plane: above the
 /// signed depth, and the radii.

@@ -109,7 +109,7 @@ std::optional<Lengths> extent(const Body& body) {
 
 BodySizes sizes_of(const Body& a, const Body& b) { return {extent(a), extent(b), false, a.dimension == 2}; }
 
-BodySizes sizes_of(const Body& a) { return {extent(a), std::nullopt, true}; }
+BodySizes sizes_of(const Body& a) { return {extent(a), std::nullopt, true, a.dimension == 2}; }
 
 std::string sizes_text(const BodySizes& sizes) {
   return "A " + text_of(sizes.a, sizes.plane) + (sizes.one_body ? "" : ", B " + text_of(sizes.b, sizes.plane));

@@ -47,15 +47,22 @@ TEETH = {
         ({"line": PRESENT}, set(), [(["line"], 0), (["status"], "disjoint")])],
     "metric": [({"status": "penetrating"}, set(), [
         (["depth"], {"exact": "1"}), (["ball"], {"kind": "ball", "vertices": 4}), (["optima"], []),
-        (["status"], "touching"), (["rays"], -1), (["more"], 1), (["optima", 0, "vertex"], "0")])],
-    "ray": [({"status": "penetrating"}, set(), [
+        (["status"], "touching"), (["rays"], -1), (["more"], 1), (["optima", 0, "vertex"], "0")]),
+        ({"dimension": 2, "status": "penetrating"}, set(), [
+            (["direction"], ["1", "0", "0"]), (["optima", 0, "contact", "kind"], "facet-edge"), (["dimension"], 3)])],
+    "ray": [({"status": "penetrating", "ray": ["-1", "0", "0"]}, set(), [
         (["factor"], "0"), (["factor"], "-1"), (["normal"], None), (["status"], "disjoint"), (["ray"], ["1", "0"]),
-        (["more"], 1), (["witness"], None), (["steps"], -1)])],
+        (["more"], 1), (["witness"], None), (["steps"], -1)]),
+        ({"dimension": 2, "status": "penetrating"}, set(), [
+            (["ray"], ["1", "0", "0"]), (["translation"], ["1", "0", "0"]), (["normal"], ["1", "0", "0"]),
+            (["contact", "kind"], "facet-edge"), (["dimension"], 3)])],
     "growth": [
         ({"status": "disjoint"}, set(), [
             (["growth", "exact"], "0"), (["growth", "exact"], "-1"), (["normal"], None), (["normal"], ["1/2", "0", "0"]),
             (["weights"], None), (["weights", "a"], []), (["weights", "a", 0], [0, "1/2", 1]), (["weights", "a", 0, 1], "0"),
             (["witness", "a"], ["1", "0"]), (["centers", "b"], None), (["more"], 1), (["flat"], ["a", "b"]), (["steps"], -1)]),
+        ({"dimension": 2, "status": "penetrating"}, set(), [
+            (["normal"], ["1", "0", "0"]), (["centers", "a"], ["1", "0", "0"]), (["contact", "kind"], "facet-edge"), (["dimension"], 3)]),
         ({"status": "penetrating", "normal": None}, set(), [(["status"], "touching"), (["normal"], ["1", "0", "0"]), (["witness"], {})])],
     "impact": [
         ({"status": "contact"}, set(), [

@@ -125,8 +125,36 @@ def test_properties_of_bodies():
     assert CUBE.dimension == 3 and fathom.Body(SQUARE).description == {"vertices": [[0, 0], [1, 0], [1, 1], [0, 1]]}
 
 
-@pytest.mark.parametrize("ask", [fathom.depth, fathom.distance, fathom.union_depth, fathom.overlap,
-                                 lambda a, b: fathom.closer_than(a, b, 1)])
+def test_widths_and_rays():
+    wide = fathom.width([(0, 0), (3, 0), (3, 4)])
+    assert wide.squared == Fraction(144, 25) and fathom.width(plane.circle("1/3")).width == 2 / 3
+    assert fathom.width(SQUARE, pose=plane.pose(1)).squared == 1
+    hit = fathom.ray(SQUARE, SQUARE + [0.75, 0.25], (2, 0))
+    assert hit.factor == Fraction(7, 8) and hit.translation == (Fraction(7, 4), 0) and hit.direction.tolist() == [1, 0]
+    assert hit.contact["kind"] == "edge-edge" and [len(p) for p in hit.witness] == [2, 2]
+    grown = fathom.growth(SQUARE, SQUARE + [3, 0])
+    assert grown.growth == 3 and grown.centers == ((Fraction(1, 2), Fraction(1, 2)), (Fraction(7, 2), Fraction(1, 2)))
+    assert grown.normal == (-1, 0) and sum(grown.weights[1].values()) == 1 and set(grown.weights[1]) <= {0, 3}
+    assert fathom.growth(SQUARE, SQUARE + [3, 0], (0.5, 0), (3, 0.5)).growth == 5
+    short = fathom.metric(SQUARE, SQUARE + [0.75, 0.25], [(1, 0), (0, 1), (-1, 0), (0, -1)])
+    assert short.depth == Fraction(1, 4) and short.direction.tolist() == [-1, 0] and short.optima[0]["translation"] == (Fraction(-1, 4), 0)
+    near = fathom.approx(SQUARE, SQUARE + [0.75, 0.25], "1/10")
+    assert near.low <= 0.25 <= near.high <= 1.1 * near.low and len(near.translation) == 2
+
+
+@pytest.mark.parametrize("ask, sentence", [
+    (lambda: fathom.ray(SQUARE, SQUARE, (1, 0, 0)), "expected two numbers"), (lambda: fathom.ray(CUBE, CUBE, (1, 0)), "expected three numbers"),
+    (lambda: fathom.ray(SQUARE, plane.circle(1), (1, 0)), "expected"), (lambda: fathom.growth(SQUARE, SQUARE, (0, 0, 0)), "expected two numbers"),
+    (lambda: fathom.metric(CUBE, CUBE, SQUARE * 2 - 1), "all of the plane, or all of space"),
+    (lambda: fathom.metric(SQUARE, SQUARE, SQUARE), "O on its boundary"), (lambda: fathom.metric(SQUARE, SQUARE, SQUARE[:2]), "lie on one line"),
+    (lambda: fathom.width(plane.halfplane((1, 0), 1)), "no width"), (lambda: fathom.approx(SQUARE, SQUARE, 0), "delta")])
+def test_rays_that_are_refused(ask, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        ask()
+
+
+@pytest.mark.parametrize("ask", [fathom.depth, fathom.distance, fathom.union_depth, fathom.overlap, fathom.growth,
+                                 lambda a, b: fathom.closer_than(a, b, 1), lambda a, b: fathom.approx(a, b, 1)])
 def test_one_of_each(ask):
     for a, b in [(SQUARE, CUBE), (CUBE, SQUARE)]:
         with pytest.raises(ValueError, match=MIXED):
@@ -134,11 +162,6 @@ def test_one_of_each(ask):
 
 
 @pytest.mark.parametrize("name, ask", [
-    ("width", lambda: fathom.width(SQUARE)),
-    ("ray", lambda: fathom.ray(SQUARE, SQUARE, (1, 0, 0))),
-    ("growth", lambda: fathom.growth(SQUARE, SQUARE)),
-    ("metric", lambda: fathom.metric(CUBE, CUBE, SQUARE)),
-    ("approx", lambda: fathom.approx(SQUARE, SQUARE, 1)),
     ("study", lambda: fathom.study(SQUARE, SQUARE)),
     ("Prepared", lambda: fathom.Prepared(SQUARE)),
     ("solid", lambda: fathom.solid(SQUARE)),

@@ -94,7 +94,7 @@ def growth(a: BodyLike, b: BodyLike, center_a: Triple | None = None, center_b: T
            pose_b: PoseLike = None) -> Growth:
     """Returns the growth distance: the least factor by which both bodies are scaled about their centers so that they touch.
 
-    center_a, center_b  points of space, which poses do not move; the means of the bodies' corners unless given. center_b - center_a
+    center_a, center_b  points, which poses do not move; the means of the bodies' corners unless given. center_b - center_a
                         must be inside B - A: ValueError otherwise
 
     >>> import fathom

@@ -21,7 +21,6 @@
 #include "reference/rounded/coordinates.hpp"
 #include "reference/shapes/body_notes.hpp"
 #include "reference/shapes/core.hpp"
-#include "reference/solve/require_space.hpp"
 #include "verify/check/check.hpp"
 #include "verify/check/reader.hpp"
 
@@ -383,7 +382,6 @@ void bind_answers(py::module_& module) {
       "width",
       [](const py::object& body, const py::object& pose, unsigned bits) {
         const Body one = body_from(body, pose, "body", nullptr, shapes::width_of_union);
-        solve::require_space(one, one, "width");
         if (one.shape) shapes::require_width(*one.shape);
         return watched([&](Monitor& monitor) { return answer_to({one, one}, {.options = {}, .bits = bits}, monitor); });
       },

@@ -34,21 +34,20 @@ struct Pair {
   Body a, b;
 };
 
-/// Returns two bodies of space for the function `what`; a union is refused for the reason
-/// `no_union`. Warns of meshes that are not convex.
-Pair any_pair_from(const char* what, const py::object& a, const py::object& b, const py::object& pose_a,
-                   const py::object& pose_b, const char* no_union) {
+/// Returns two convex bodies; a union is refused for the reason `no_union`. Warns of meshes that
+/// are not convex.
+Pair any_pair_from(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b,
+                   const char* no_union) {
   Pair pair{body_from(a, pose_a, "a", nullptr, no_union), body_from(b, pose_b, "b", nullptr, no_union)};
-  solve::require_space(pair.a, pair.b, what);
   warn_of_dents(pair.a, "A");
   warn_of_dents(pair.b, "B");
   return pair;
 }
 
 /// Returns two polytopes. Warns as any_pair_from does.
-Pair pair_from(const char* what, const py::object& a, const py::object& b, const py::object& pose_a,
-               const py::object& pose_b, const char* no_union) {
-  Pair pair = any_pair_from(what, a, b, pose_a, pose_b, no_union);
+Pair pair_from(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b,
+               const char* no_union) {
+  Pair pair = any_pair_from(a, b, pose_a, pose_b, no_union);
   points_of(pair.a, "a");
   points_of(pair.b, "b");
   return pair;
@@ -62,7 +61,9 @@ Body any_body_from(const py::object& from, const py::object& pose, const char* n
   return body;
 }
 
-py::object normal_of(const Vector& n) { return py::make_tuple(unit(n), integers(n)); }
+py::object normal_of(const Vector& n, unsigned dimension) {
+  return py::make_tuple(unit(n, dimension), integers(n, dimension));
+}
 
 /// Returns ask(a, b, options).
 template <class Ask>
@@ -112,18 +113,18 @@ py::object closer_than_of(const py::object& a, const py::object& b, const py::ob
 py::dict ray(const py::object& a, const py::object& b, const py::object& direction, const py::object& pose_a,
              const py::object& pose_b) {
   const Pair pair = pair_from(
-      "ray", a, b, pose_a, pose_b,
+      a, b, pose_a, pose_b,
       "how far it must move in one direction is not answered about those; union_depth says how far in the best one");
-  const Point along = point_from(direction);
-  const DirectionalDepth found = watched([&](Monitor& monitor) {
-    return directional_depth(pair.a.points.exact(), pair.b.points.exact(), along, &monitor);
-  });
+  const unsigned dimension = pair.a.dimension;
+  const Point along = point_from(direction, dimension);
+  const DirectionalDepth found =
+      watched([&](Monitor& monitor) { return directional_depth(pair.a, pair.b, along, &monitor); });
   py::dict result("status"_a = std::string(name(found.status())), "factor"_a = fraction(found.factor()),
-                  "translation"_a = fractions(found.translation()), "squared"_a = fraction(found.squared()),
-                  "length"_a = root_binary64(found.squared()), "normal"_a = normal_of(found.normal()));
+                  "translation"_a = fractions(found.translation(), dimension), "squared"_a = fraction(found.squared()),
+                  "length"_a = root_binary64(found.squared()), "normal"_a = normal_of(found.normal(), dimension));
   if (const RayExit* const exit = found.penetration()) {
     result["contact"] = contact(&exit->contact);
-    result["witness"] = witness(exit->witness, true);
+    result["witness"] = witness(exit->witness, true, dimension);
   }
   return result;
 }
@@ -131,53 +132,53 @@ py::dict ray(const py::object& a, const py::object& b, const py::object& directi
 py::dict growth(const py::object& a, const py::object& b, const py::object& center_a, const py::object& center_b,
                 const py::object& pose_a, const py::object& pose_b) {
   const Pair pair = pair_from(
-      "growth", a, b, pose_a, pose_b,
+      a, b, pose_a, pose_b,
       "by which factor it must grow is not answered about those; union_depth says how deep they are, or how far apart");
-  const auto center = [](const py::object& given) {
-    return given.is_none() ? std::nullopt : std::optional(point_from(given));
+  const unsigned dimension = pair.a.dimension;
+  const auto center = [&](const py::object& given) {
+    return given.is_none() ? std::nullopt : std::optional(point_from(given, dimension));
   };
   const std::optional<Point> about_a = center(center_a), about_b = center(center_b);
-  const GrowthDistance found = watched([&](Monitor& monitor) {
-    return growth_distance(pair.a.points.exact(), pair.b.points.exact(), about_a, about_b, &monitor);
-  });
-  py::dict result("status"_a = std::string(name(found.status())), "growth"_a = fraction(found.growth),
-                  "centers"_a = py::make_tuple(fractions(found.center_a), fractions(found.center_b)));
+  const GrowthDistance found =
+      watched([&](Monitor& monitor) { return growth_distance(pair.a, pair.b, about_a, about_b, &monitor); });
+  py::dict result(
+      "status"_a = std::string(name(found.status())), "growth"_a = fraction(found.growth),
+      "centers"_a = py::make_tuple(fractions(found.center_a, dimension), fractions(found.center_b, dimension)));
   if (!found.touch) return result;
-  result["normal"] = integers(found.touch->normal);
+  result["normal"] = integers(found.touch->normal, dimension);
   result["contact"] = contact(&found.touch->contact);
   result["weights"] = py::make_tuple(weights(found.touch->weights_a), weights(found.touch->weights_b));
-  result["witness"] = witness(found.touch->witness, true);
+  result["witness"] = witness(found.touch->witness, true, dimension);
   return result;
 }
 
 py::dict metric(const py::object& a, const py::object& b, const py::object& ball, const py::object& pose_a,
                 const py::object& pose_b) {
-  const Pair pair = pair_from("metric", a, b, pose_a, pose_b, "union_depth answers about those, in Euclid's norm");
+  const Pair pair = pair_from(a, b, pose_a, pose_b, "union_depth answers about those, in Euclid's norm");
   const Body unit_body = body_from(ball, py::none(), "ball", nullptr, "the unit ball of a norm is convex");
-  solve::require_space(unit_body, unit_body, "metric");
-  const GivenPoints& points = points_of(unit_body, "ball");
-  const MetricResult found = watched([&](Monitor& monitor) {
-    return metric_depth(pair.a.points.exact(), pair.b.points.exact(), unit_ball(points.exact()), &monitor);
-  });
+  points_of(unit_body, "ball");
+  const unsigned dimension = pair.a.dimension;
+  const MetricResult found =
+      watched([&](Monitor& monitor) { return metric_depth(pair.a, pair.b, unit_ball(unit_body), &monitor); });
   py::list optima;
   for (const MetricOptimum& optimum : found.optima())
-    optima.append(py::dict("vertex"_a = optimum.vertex, "translation"_a = fractions(optimum.translation),
-                           "normal"_a = normal_of(optimum.direction), "contact"_a = contact(&optimum.contact)));
+    optima.append(py::dict("vertex"_a = optimum.vertex, "translation"_a = fractions(optimum.translation, dimension),
+                           "normal"_a = normal_of(optimum.direction, dimension),
+                           "contact"_a = contact(&optimum.contact)));
   return py::dict("status"_a = std::string(name(found.status())), "depth"_a = fraction(found.depth()),
-                  "optima"_a = optima, "normal"_a = normal_of(found.direction()));
+                  "optima"_a = optima, "normal"_a = normal_of(found.direction(), dimension));
 }
 
 py::dict approx(const py::object& a, const py::object& b, const py::object& delta, const py::object& pose_a,
                 const py::object& pose_b) {
-  const Pair pair = pair_from("approx", a, b, pose_a, pose_b, "union_depth answers about those, exactly");
+  const Pair pair = pair_from(a, b, pose_a, pose_b, "union_depth answers about those, exactly");
   const mpq_class within = number_from(delta);
-  const ApproxDepth found = watched(
-      [&](Monitor& monitor) { return approx_depth(pair.a.points.exact(), pair.b.points.exact(), within, &monitor); });
-  return py::dict("status"_a = std::string(name(found.status())),
-                  "low"_a = root_binary64(found.bound_squared(), Rounding::rd),
-                  "high"_a = root_binary64(found.squared(), Rounding::ru),
-                  "low_squared"_a = fraction(found.bound_squared()), "high_squared"_a = fraction(found.squared()),
-                  "translation"_a = fractions(found.translation()), "normal"_a = normal_of(found.direction()));
+  const ApproxDepth found = watched([&](Monitor& monitor) { return approx_depth(pair.a, pair.b, within, &monitor); });
+  return py::dict(
+      "status"_a = std::string(name(found.status())), "low"_a = root_binary64(found.bound_squared(), Rounding::rd),
+      "high"_a = root_binary64(found.squared(), Rounding::ru), "low_squared"_a = fraction(found.bound_squared()),
+      "high_squared"_a = fraction(found.squared()), "translation"_a = fractions(found.translation(), pair.a.dimension),
+      "normal"_a = normal_of(found.direction(), pair.a.dimension));
 }
 
 py::dict involved(const Involved& features) {
@@ -244,7 +245,8 @@ py::dict study_of_shapes(Pair pair, std::size_t listed) {
 
 py::dict study_of(const py::object& a, const py::object& b, std::size_t listed, const py::object& pose_a,
                   const py::object& pose_b) {
-  Pair pair = any_pair_from("study", a, b, pose_a, pose_b, shapes::study_of_union);
+  Pair pair = any_pair_from(a, b, pose_a, pose_b, shapes::study_of_union);
+  solve::require_space(pair.a, pair.b, "study");
   return pair.a.shape || pair.b.shape ? study_of_shapes(std::move(pair), listed)
                                       : study_of_polytopes(std::move(pair), listed);
 }
