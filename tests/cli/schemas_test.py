@@ -60,7 +60,7 @@ TEETH = {
         ({"status": "disjoint"}, set(), [
             (["growth", "exact"], "0"), (["growth", "exact"], "-1"), (["normal"], None), (["normal"], ["1/2", "0", "0"]),
             (["weights"], None), (["weights", "a"], []), (["weights", "a", 0], [0, "1/2", 1]), (["weights", "a", 0, 1], "0"),
-            (["witness", "a"], ["1", "0"]), (["centers", "b"], None), (["more"], 1), (["flat"], ["a", "b"]), (["steps"], -1)]),
+            (["witness", "a"], ["1", "0"]), (["centers", "b"], None), (["more"], 1), (["flat"], ["b", "a"]), (["steps"], -1)]),
         ({"dimension": 2, "status": "penetrating"}, set(), [
             (["normal"], ["1", "0", "0"]), (["centers", "a"], ["1", "0", "0"]), (["contact", "kind"], "facet-edge"), (["dimension"], 3)]),
         ({"status": "penetrating", "normal": None}, set(), [(["status"], "touching"), (["normal"], ["1", "0", "0"]), (["witness"], {})])],
