@@ -524,17 +524,6 @@ class Merging {
   }
 
   void add_facet() {
-    memory_.corners.clear();
-    if (memory_.members.size() == 1) {  // most facets
-      for (const CornerId corner : surface_.triangles()[memory_.members[0]].corners)
-        memory_.corners.push_back(name(corner));
-    } else {
-      add_polygon();
-    }
-    result_.facets.push_back(memory_.corners);
-  }
-
-  void add_polygon() {
     std::vector<CornerId>& cycle = memory_.cycle;
     cycle.clear();
     const Side first = some_outer_side();
@@ -543,9 +532,14 @@ class Merging {
       cycle.push_back(start(side));
       side = following(side);
     } while (side.triangle != first.triangle || side.k != first.k);
+    memory_.corners.clear();
     const std::size_t n = cycle.size();
-    for (std::size_t i = 0; i < n; ++i)
-      if (!on_one_line(cycle[(i + n - 1) % n], cycle[i], cycle[(i + 1) % n])) memory_.corners.push_back(name(cycle[i]));
+    for (std::size_t i = 0; i < n; ++i) {
+      const bool kept =
+          memory_.members.size() == 1 || !on_one_line(cycle[(i + n - 1) % n], cycle[i], cycle[(i + 1) % n]);
+      if (kept) memory_.corners.push_back(name(cycle[i]));
+    }
+    result_.facets.push_back(memory_.corners);
   }
 
   Surface<Integer>& surface_;
