@@ -2,8 +2,8 @@
 // Bodies of the plane: polygons, points, segments, circles, capsules, rounded polygons,
 // half-planes, and unions of polygons.                                          [proofs/plane.md]
 //
-// Such a body is a Body whose dimension is 2. exact_answer, overlap, closer_than and what
-// approximate.hpp says of bodies take them; what takes bodies of space alone throws
+// Such a body is a Body whose dimension is 2. exact_answer, contact_geometry, overlap, closer_than
+// and what approximate.hpp says of bodies take them; what takes bodies of space alone throws
 // std::invalid_argument at them. In an answer every z is 0, and a contact is that of vertices and
 // edges. The width of a convex body is its depth against itself: exact_answer(body, body).
 #pragma once
