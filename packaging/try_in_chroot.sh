@@ -287,11 +287,11 @@ inside program sh -c 'fathom cases --family random_ball --count 3 | fathom certi
 say "libfathom-dev: projects with CMake and with pkg-config, in C++ and in C"
 install library libfathom-dev g++ cmake ninja-build pkg-config
 mkdir "$work/library/tmp/project"
-cp "$root"/packaging/consumer/* "$root/examples/depth.cpp" "$work/library/tmp/project"
+cp "$root/packaging/consumer/CMakeLists.txt" "$root"/examples/{depth.cpp,c_overlap.c} "$work/library/tmp/project"
 inside library sh -ec 'cd /tmp/project
   cmake -G Ninja -S . -B build && cmake --build build && ./build/depth
   g++ -std=c++20 depth.cpp -o depth $(pkg-config --cflags --libs fathom) && ./depth
-  g++ -x c -std=c99 version.c -o version $(pkg-config --cflags --libs fathom-c) && ./version'
+  g++ -x c -std=c99 c_overlap.c -o overlap $(pkg-config --cflags --libs fathom-c) && ./overlap'
 
 say "python3-fathom: a depth"
 install python python3-fathom

@@ -16,7 +16,6 @@
 #include "reference/expanding/expander.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "reference/solve/require_space.hpp"
 
 namespace fathom::solve {
 namespace {

@@ -5,10 +5,12 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "fathom/body.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/overlap.hpp"
 #include "kernels/context.hpp"
@@ -16,6 +18,12 @@
 #include "reference/polytope/points.hpp"
 
 namespace fathom::solve {
+
+/// Throws std::invalid_argument if a body is of the plane, and says that `what` takes none.
+inline void require_space(const Body& a, const Body& b, std::string_view what) {
+  if (a.dimension == 2 || b.dimension == 2)
+    throw std::invalid_argument(std::string(what) + " takes bodies of space, found a body of the plane");
+}
 
 /// How many points an expanding polytope may take, of bodies with so many together. Exhausting the
 /// usual budget costs about one exact run.

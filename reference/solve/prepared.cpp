@@ -25,7 +25,6 @@
 #include "reference/polytope/polytope.hpp"
 #include "reference/polytope/position.hpp"
 #include "reference/solve/depth.hpp"
-#include "reference/solve/require_space.hpp"
 
 namespace fathom {
 

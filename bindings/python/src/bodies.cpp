@@ -27,7 +27,7 @@
 #include "reference/files/shape_names.hpp"
 #include "reference/shapes/body_notes.hpp"
 #include "reference/shapes/core.hpp"
-#include "reference/solve/require_space.hpp"
+#include "reference/solve/depth.hpp"
 
 namespace fathom::python {
 namespace {

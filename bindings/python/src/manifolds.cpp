@@ -18,7 +18,7 @@
 #include "fathom/patch.hpp"
 #include "reference/files/case_fields.hpp"
 #include "reference/rounded/coordinates.hpp"
-#include "reference/solve/require_space.hpp"
+#include "reference/solve/depth.hpp"
 
 namespace fathom::python {
 namespace {

@@ -18,7 +18,7 @@
 #include "fathom/study.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/shapes/body_notes.hpp"
-#include "reference/solve/require_space.hpp"
+#include "reference/solve/depth.hpp"
 #include "verify/judge/fields.hpp"
 #include "verify/judge/truth.hpp"
 
