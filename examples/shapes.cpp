@@ -2,6 +2,7 @@
 // Round bodies: a capsule leans into a rounded box, exactly. Spheres, half-spaces, poses by
 // quaternions, cores that touch; and in the plane, where a sphere is a circle.
 #include <fathom/answer.hpp>
+#include <fathom/approximate.hpp>
 #include <fathom/certificate.hpp>
 #include <fathom/plane.hpp>
 #include <fathom/shape.hpp>
@@ -65,6 +66,11 @@ int main() {
   const Vector n = *answer.direction();
   std::cout << answer.status_name() << " " << *answer.nearest_binary64() << " (" << n.x << ", " << n.y << ") "
             << name(answer.contact()->kind) << ", dimension " << answer.dimension() << "\n";
+  const Body diamond = in_plane({{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}});
+  const Body triangle = in_plane({{{1, 1, 0}, {4, 1, 0}, {1, 5, 0}}});
+  std::cout << "up " << directional_depth(square, triangle, {0, 1, 0}).factor() << ", in the norm "
+            << metric_depth(square, triangle, unit_ball(diamond)).depth() << ", growth "
+            << growth_distance(square, triangle).growth << "\n";
 }
 
 //> penetrating: 3/5 + root of -1/100, from 0.5 to 0.5
@@ -77,3 +83,4 @@ int main() {
 //> 21/10, around an axis along z: 1
 //> 8 terms; flat: 0, a triangle: 1
 //> penetrating 0.5 (0, 1) vertex-vertex, dimension 2
+//> up 5, in the norm 1, growth 1/2
