@@ -10,6 +10,22 @@
 #include <iostream>
 #include <string>
 
+void in_the_plane() {
+  using namespace fathom;
+  Body disc;
+  disc.shape = sphere(mpq_class(1, 2));
+  const Body square = in_plane({{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}});
+  const Answer answer = exact_answer(square, in_plane(disc));
+  const Vector n = *answer.direction();
+  std::cout << answer.status_name() << " " << *answer.nearest_binary64() << " (" << n.x << ", " << n.y << ") "
+            << name(answer.contact()->kind) << ", dimension " << answer.dimension() << "\n";
+  const Body diamond = in_plane({{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}});
+  const Body triangle = in_plane({{{1, 1, 0}, {4, 1, 0}, {1, 5, 0}}});
+  std::cout << "up " << directional_depth(square, triangle, {0, 1, 0}).factor() << ", in the norm "
+            << metric_depth(square, triangle, unit_ball(diamond)).depth() << ", growth "
+            << growth_distance(square, triangle).growth << "\n";
+}
+
 int main() {
   using namespace fathom;
   const mpq_class tenth(1, 10);
@@ -58,19 +74,7 @@ int main() {
   for (const Shape& other : others) all = minkowski_sum(all, other);
   std::cout << std::get<std::vector<Term>>(all.core).size() << " terms; flat: " << is_flat(all)
             << ", a triangle: " << is_flat(others[6]) << "\n";
-
-  Body disc;
-  disc.shape = sphere(mpq_class(1, 2));
-  const Body square = in_plane({{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}});
-  const Answer answer = exact_answer(square, in_plane(disc));
-  const Vector n = *answer.direction();
-  std::cout << answer.status_name() << " " << *answer.nearest_binary64() << " (" << n.x << ", " << n.y << ") "
-            << name(answer.contact()->kind) << ", dimension " << answer.dimension() << "\n";
-  const Body diamond = in_plane({{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}});
-  const Body triangle = in_plane({{{1, 1, 0}, {4, 1, 0}, {1, 5, 0}}});
-  std::cout << "up " << directional_depth(square, triangle, {0, 1, 0}).factor() << ", in the norm "
-            << metric_depth(square, triangle, unit_ball(diamond)).depth() << ", growth "
-            << growth_distance(square, triangle).growth << "\n";
+  in_the_plane();
 }
 
 //> penetrating: 3/5 + root of -1/100, from 0.5 to 0.5

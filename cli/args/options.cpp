@@ -104,8 +104,7 @@ std::vector<Option> make_table() {
            "the unit ball: a mesh with O inside its hull. Symmetric about O it makes a norm, else a gauge"),
       file("impact", "--from", "POSE", FileUse::read,
            "where A is at t = 0, exactly: \"xyz=X,Y,Z quat=W,X,Y,Z\" (or xyzw=X,Y,Z,W, or rpy=ROLL,PITCH,YAWdeg or "
-           "rad), "
-           "or @FILE with it. Quaternions are not normalised: A turns by (1 - t) q0 + t q1, the shorter way"),
+           "rad), or @FILE with it. Quaternions are not normalised: A turns by (1 - t) q0 + t q1, the shorter way"),
       file("impact", "--to", "POSE", FileUse::read, "where A is at t = 1"),
       file("impact", "--b-from", "POSE", FileUse::read, "where B is at t = 0; at rest as it is given unless given"),
       file("impact", "--b-to", "POSE", FileUse::read, "where B is at t = 1; at rest unless given"),
@@ -117,10 +116,9 @@ std::vector<Option> make_table() {
       {"impact",
        "--delta",
        "LENGTH",
-       "bodies that come so near for 2^-K, and cannot be shown to be apart, graze each other; 2^-K of the extent "
-       "unless "
-       "given",
-       {wrong_tolerance}},
+       "bodies that come so near for 2^-K, and cannot be shown to be apart, graze each other; 2^-K of the greatest "
+       "coordinate unless given",
+       {wrong_fit}},
       flag("impact", "--json", "one JSON object per line, schema fathom/impact/1"),
       file("impact", "--certificate", "FILE", FileUse::placed,
            "write the proof to FILE; for a stream: a directory, one file for each case"),

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -131,13 +132,8 @@ std::string impact_line(const std::string& id, const Impact& impact, const Answe
     parts.push_back("normal " + way_text(impact.contact->normal, form));
     parts.emplace_back(name(impact.contact->contact.kind));
   }
+  if (gap_of(impact) != 0) parts.push_back("planes " + pieces_text(impact));
   return case_line(id, parts);
-}
-
-Json weights_of_point(const std::vector<Weight>& weights) {
-  Json array = Json::array();
-  for (const Weight& w : weights) array.push_back(Json::array({w.index, exact_text(w.weight)}));
-  return array;
 }
 
 Json contact_json(const FirstContact& contact) {
@@ -148,7 +144,7 @@ Json contact_json(const FirstContact& contact) {
           {"in_b", output::exact(contact.in_b)},
           {"normal", output::exact(contact.normal)},
           {"contact", output::contact_object(contact.contact)},
-          {"weights", {{"a", weights_of_point(contact.a)}, {"b", weights_of_point(contact.b)}}}};
+          {"weights", {{"a", output::weights_array(contact.a)}, {"b", output::weights_array(contact.b)}}}};
 }
 
 Json piece_json(const ImpactPiece& piece) {

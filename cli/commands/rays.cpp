@@ -2,7 +2,7 @@
 // fathom approx --delta D A B | CASES.jsonl | -
 // fathom width [--delta D] A | CASES.jsonl | -
 // fathom ray --direction X,Y[,Z] A B | CASES.jsonl | -
-// fathom ray --growth [--center-a X,Y,Z] [--center-b X,Y,Z] A B | CASES.jsonl | -
+// fathom ray --growth [--center-a X,Y[,Z]] [--center-b X,Y[,Z]] A B | CASES.jsonl | -
 // fathom metric --ball Q A B | CASES.jsonl | -
 // Lengths found by shooting rays: depths within a factor, in one direction, and in a polyhedral
 // norm or gauge; and growth distances. As text and as JSON (result, ray, growth and
@@ -289,12 +289,6 @@ std::string growth_line(const std::string& id, const GrowthDistance& found, cons
   return case_line(id, parts);
 }
 
-Json weights_array(const std::vector<Weight>& weights) {
-  Json array = Json::array();
-  for (const Weight& w : weights) array.push_back(Json::array({w.index, exact_text(w.weight)}));
-  return array;
-}
-
 /// Returns one line, without its newline, in ASCII for any id.
 std::string growth_json(const std::string& id, const GrowthDistance& found, unsigned dimension) {
   Json object = json_head(growth_schema, id, dimension, found.status());
@@ -305,7 +299,8 @@ std::string growth_json(const std::string& id, const GrowthDistance& found, unsi
   object["normal"] = touch ? output::exact(touch->normal, dimension) : Json();
   object["contact"] = touch ? output::contact_object(touch->contact) : Json();
   object["weights"] =
-      touch ? Json{{"a", weights_array(touch->weights_a)}, {"b", weights_array(touch->weights_b)}} : Json();
+      touch ? Json{{"a", output::weights_array(touch->weights_a)}, {"b", output::weights_array(touch->weights_b)}}
+            : Json();
   object["witness"] = touch ? output::witness_object(touch->witness, dimension) : Json();
   object["flat"] = output::flat_array(found);
   object["steps"] = touch ? touch->steps : 0;

@@ -315,9 +315,9 @@ FATHOM_API int fathom_answer_hulls(const fathom_answer* answer, double* depth);
  * is known. */
 FATHOM_API int fathom_answer_dents(const fathom_answer* answer, char** text);
 
-/* Where bodies of space touch: found by the first of these functions, which fathom_options::stop
- * does not end. Each is FATHOM_ABSENT where it is left out, by a word: "curved", a core is neither
- * a polytope nor a half-space; "incomplete", the search was stopped; "too-large", a core against a
+/* Where bodies touch: found by the first of these functions, which fathom_options::stop does not
+ * end. Each is FATHOM_ABSENT where it is left out, by a word: "curved", a core is neither a
+ * polytope nor a half-space; "incomplete", the search was stopped; "too-large", a core against a
  * half-space is a sum of too many points. */
 
 /** Sets how many patches there are: one after each way out that is listed; one of bodies that touch

@@ -31,7 +31,8 @@ struct RigidMotion {
   Point p0, p1;                               ///< where the origin of the body's frame is
 };
 
-/// The rotation and the place at t, exactly: q(t) and p(t). For any t.
+/// The rotation and the place at t, exactly: q(t) and p(t). For any t at which q(t) is not O, else
+/// std::invalid_argument.
 Pose pose_at(const RigidMotion& motion, const mpq_class& t);
 
 /// The points of a body where they are at t, exactly.
@@ -57,7 +58,8 @@ struct MovingPlane {
 /// "face of B", "face of A" or "edges".
 std::string_view name(MovingPlane::Kind kind);
 
-/// The direction of the plane at t, primitive: it points from B to A.
+/// The direction of the plane at t, primitive: it points from B to A. O where edges are
+/// parallel.
 Vector direction_at(const MovingPlane& plane, const RigidMotion& of_a, const RigidMotion& of_b, const mpq_class& t);
 
 /// The bodies are near each other at the end of a short while in which they may touch.

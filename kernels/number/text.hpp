@@ -31,7 +31,7 @@ std::optional<double> quick_number(std::string_view token, Decimals decimals);
 double nearest_binary64(std::string_view decimal);
 
 /// Reads the number of JSON that begins here; returns where it ends. null if none does, or if it is
-/// beyond binary64 or in its lowest part. Call it while rounding is to nearest.
+/// beyond binary64, or not 0 and too small for it. Call it while rounding is to nearest.
 const char* leading_number(const char* begin, const char* end, double& nearest);
 
 /// How many characters put_digits may write.

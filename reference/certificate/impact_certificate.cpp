@@ -14,8 +14,11 @@ namespace fathom::certificate {
 namespace {
 
 void insist_on_pieces(const motion::MovingPair& pair, const Impact& impact) {
+  if (impact.pieces.empty() || !impact.pieces.front().plane || !impact.pieces.back().plane)
+    contradiction("the pieces of time do not begin and end with a plane");
   mpq_class from;
   for (const ImpactPiece& piece : impact.pieces) {
+    if (!piece.plane && !piece.near) contradiction("a piece of time has neither a plane nor a gap");
     if (piece.plane && !pair.holding(*piece.plane, from, piece.until).holds)
       contradiction("a plane does not separate the bodies as long as it should");
     from = piece.until;

@@ -483,12 +483,10 @@ std::string read_faces(const JsonValue& faces, const std::string& path, Body& bo
 RigidMotion motion_between(const std::optional<GivenPose>& from, const std::optional<GivenPose>& to,
                            std::string& fault) {
   if ((from && from->matrix) || (to && to->matrix))
-    fault = "expected a quaternion or angles, and a translation, found a matrix: it tells no quaternion to turn by";
+    fault = "expected a quaternion or angles, and a translation, found a matrix: it tells no length of a quaternion";
+  if ((from && from->plane) || (to && to->plane)) fault = "expected a pose in space, found one in the plane";
   const GivenPose start = from ? *from : to.value_or(GivenPose()), end = to ? *to : start;
-  RigidMotion motion{start.turn, end.turn, start.place, end.place};
-  const Quaternion &p = motion.q0, &q = motion.q1;
-  if (p.w * q.w + p.x * q.x + p.y * q.y + p.z * q.z < 0) motion.q1 = {-q.w, -q.x, -q.y, -q.z};
-  return motion;
+  return shorter_way({start.turn, end.turn, start.place, end.place});
 }
 
 MotionsOfCase read_motions(std::string_view text, std::string& fault) {
@@ -503,17 +501,21 @@ MotionsOfCase read_motions(std::string_view text, std::string& fault) {
                       : "motion: expected an object with 'a' or 'b', found " + (motion ? found(*motion) : "none");
     return motions;
   }
+  const auto refuse_repeated = [&](const JsonValue& object, const std::string& path) {
+    if (fault.empty() && object.is_object() && object.fields().size() < object.items().size())
+      fault = path + ": expected each field once, found one twice";
+  };
+  refuse_repeated(*motion, "motion");
   const JsonValue *const of_a = given(*motion, "a"), *const of_b = given(*motion, "b");
-  if (!of_a && !of_b) fault = "motion: expected a field 'a' or 'b', found none";
+  if (fault.empty() && !of_a && !of_b) fault = "motion: expected a field 'a' or 'b', found none";
   Reader reader;
   for (const auto& [ends, result] : {std::pair(of_a, &motions.a), std::pair(of_b, &motions.b)}) {
     const std::string path = ends == of_a ? "motion.a" : "motion.b";
     if (!ends || !fault.empty()) continue;
+    refuse_repeated(*ends, path);
     const JsonValue *const from = given(*ends, "from"), *const to = given(*ends, "to");
-    if (!from || !to) {
-      fault = path + (from ? ".to" : ".from") + ": expected a pose, found none";
-      continue;
-    }
+    if (fault.empty() && (!from || !to)) fault = path + (from ? ".to" : ".from") + ": expected a pose, found none";
+    if (!fault.empty()) continue;
     const std::optional<GivenPose> first = reader.pose(*from, path + ".from"), last = reader.pose(*to, path + ".to");
     if ((fault = reader.fault).empty()) *result = motion_between(first, last, fault);
     if (!fault.empty() && !fault.starts_with(path)) fault = path + ": " + fault;

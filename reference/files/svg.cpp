@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bodies of the plane from SVG, read by pugixml: polygon, polyline, path of straight segments,
-// rect, circle and line, by their geometry alone; stroke, fill and style are not looked at.
-// Coordinates are those that are written: y points down on a screen, and up here. Transforms are
-// applied exactly. What would change a coordinate otherwise is refused: units, curves, turns by
-// other angles than quarter turns.
+// rect, circle and line, by their geometry alone; stroke and fill are not looked at, of style only
+// whether it moves something. Coordinates are those that are written: y points down on a screen,
+// and up here. Transforms are applied exactly. What would change a coordinate otherwise is refused:
+// units, curves, turns by other angles than quarter turns.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -67,6 +67,21 @@ std::optional<mpq_class> scale_of(const Pose& pose) {
   if (!mpz_perfect_square_p(squared.get_num_mpz_t()) || !mpz_perfect_square_p(squared.get_den_mpz_t()))
     return std::nullopt;
   return mpq_class(sqrt(squared.get_num()), sqrt(squared.get_den()));
+}
+
+/// Whether a style has a property that moves what is drawn; text-transform is none.
+bool moves(std::string_view style) {
+  constexpr std::array<std::string_view, 5> movers{"transform", "transform-origin", "translate", "rotate", "scale"};
+  while (!style.empty()) {
+    const std::string_view declaration = style.substr(0, style.find(';'));
+    const std::string_view property = trimmed(declaration.substr(0, declaration.find(':')));
+    const auto is_property = [&](std::string_view name) {
+      return std::ranges::equal(property, name, {}, kernels::lower);
+    };
+    if (std::ranges::any_of(movers, is_property)) return true;
+    style.remove_prefix(std::min(declaration.size() + 1, style.size()));
+  }
+  return false;
 }
 
 class SvgReader {
@@ -137,8 +152,7 @@ class SvgReader {
 
   /// "translate(1 2) scale(3)": the last one is applied first, and `around` last.
   Transform transform(const pugi::xml_node& at, Transform around) const {
-    if (std::string_view(at.attribute("style").value()).find("transform") != std::string_view::npos ||
-        at.attribute("transform-origin"))
+    if (moves(at.attribute("style").value()) || at.attribute("transform-origin"))
       fail(at, "expected no transform in style= and no transform-origin=, found one: only transform= is read");
     if (at.name() == std::string_view("svg") && at != document_.document_element())
       for (const char* const name : {"x", "y", "viewBox"})

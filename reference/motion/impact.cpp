@@ -16,7 +16,6 @@
 #include "reference/depth/contact.hpp"
 #include "reference/motion/motion.hpp"
 #include "reference/polytope/position.hpp"
-#include "reference/solve/depth.hpp"
 
 namespace fathom::motion {
 namespace {
@@ -76,7 +75,7 @@ class ImpactSearch {
   ImpactSearch(const MovingPair& pair, const ImpactOptions& options)
       : pair_(pair), context_(options.monitor), cell_(1, mpz_class(1) << options.bits) {
     cell_.canonicalize();
-    delta_ = options.delta.value_or(mpq_class(cell_ * std::max(pair.extent(), mpq_class(1, 1'000'000))));
+    delta_ = options.delta.value_or(mpq_class(cell_ * pair.extent()));
   }
 
   Impact run() {
@@ -87,13 +86,13 @@ class ImpactSearch {
     }
     while (now.t < 1) {
       context_.report("impact", now.t.get_d());
-      if (impact_.pieces.size() >= most_pieces)
-        throw ImpactTooLong("the motion needs more than 100000 pieces of time until " + now.t.get_str());
+      require_few_pieces(now.t);
       std::optional<Moment> next = step(now);
       if (impact_.contact) return std::move(impact_);
       if (!next && !(next = cross_cell(now))) return std::move(impact_);
       now = *std::move(next);
     }
+    stand(now);
     if (impact_.status != ImpactStatus::grazing) impact_.status = ImpactStatus::apart;
     return std::move(impact_);
   }
@@ -111,6 +110,11 @@ class ImpactSearch {
     if (moment.origin.position == polytope::Position::outside)
       moment.nearest = polytope::nearest_points(moment.placed.a, moment.placed.b);
     return moment;
+  }
+
+  void require_few_pieces(const mpq_class& t) const {
+    if (impact_.pieces.size() >= most_pieces)
+      throw ImpactTooLong("the motion needs more than 100000 pieces of time until " + t.get_str());
   }
 
   /// A multiple of 2^-k in (low, t], for a small k: in the last eighth of it, or the greatest of
@@ -213,19 +217,27 @@ class ImpactSearch {
     return at(found->until);
   }
 
+  /// Shows at this time alone that the bodies are apart, if no piece does: at 0, and next to a near
+  /// miss.
+  void stand(const Moment& now) {
+    if (impact_.pieces.empty() || impact_.pieces.back().near)
+      add(now.t, pair_.planes(now.t, now.placed, now.normal()).front());
+  }
+
   /// From a time of the grid to the next: a contact there, or a way through the cell, or a near
   /// miss. Returns nullopt if it is the contact.
   std::optional<Moment> cross_cell(const Moment& now) {
+    stand(now);
     Moment next = at(now.t + cell_);
     if (!next.apart()) {
-      const std::optional<MovingPlane> last = impact_.pieces.empty() ? std::nullopt : impact_.pieces.back().plane;
-      meet(now.t, now.placed, last ? pair_.direction(*last, now.t) : now.normal(), next);
+      meet(now.t, now.placed, pair_.direction(*impact_.pieces.back().plane, now.t), next);
       return std::nullopt;
     }
     std::optional<Moment> inside;
     const Moment* from = &now;
     while (from->t < next.t) {
-      if (impact_.pieces.size() >= most_pieces) throw ImpactTooLong("the motion needs more than 100000 pieces of time");
+      context_.check();
+      require_few_pieces(from->t);
       mpq_class best = from->t;
       std::optional<MovingPlane> with;
       for (const MovingPlane& plane : pair_.planes(from->t, from->placed, from->normal()))
@@ -235,7 +247,8 @@ class ImpactSearch {
           best = from->t + step;
           with = plane;
         }
-      if (best < next.t && from->squared_distance() <= delta_ * delta_) {
+      const bool stuck = best < next.t && 16 * (best - from->t) < cell_;
+      if (stuck && from->squared_distance() <= delta_ * delta_) {
         miss(now, next);
         break;
       }
@@ -252,10 +265,6 @@ class ImpactSearch {
     const mpq_class squared = next.squared_distance();
     mpq_class gap = delta_;
     while (gap * gap < squared) gap *= 2;
-    if (!impact_.pieces.empty() && impact_.pieces.back().near) {  // two such cells: a plane stands between them
-      const std::vector<MovingPlane> planes = pair_.planes(now.t, now.placed, now.normal());
-      add(now.t, planes.front());
-    }
     impact_.pieces.push_back({next.t, {}, NearMiss{std::move(gap), next.nearest->a, next.nearest->b}});
     impact_.status = ImpactStatus::grazing;
   }
@@ -290,7 +299,8 @@ Impact first_contact(std::span<const Point> a, const RigidMotion& of_a, std::spa
   const kernels::DefaultFloatEnvironment environment;
   if (options.bits < 1 || options.bits > 1000)
     throw std::invalid_argument("the bits of a time of contact are from 1 to 1000");
-  if (options.delta && *options.delta <= 0) throw std::invalid_argument("the delta of a near miss is positive");
+  if (options.delta) kernels::require_lowest_terms(*options.delta);
+  if (options.delta && *options.delta <= 0) throw std::invalid_argument("expected a positive delta of a near miss");
   const motion::MovingPair pair(a, of_a, b, of_b);
   Impact impact = motion::ImpactSearch(pair, options).run();
   if (impact.status == ImpactStatus::at_beginning) {

@@ -10,7 +10,7 @@
 
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
-#include "reference/polytope/points.hpp"
+#include "reference/files/pose.hpp"
 
 namespace fathom::motion {
 namespace {
@@ -349,12 +349,7 @@ std::vector<Point> placed_at(std::span<const Point> points, const RigidMotion& m
   const Pose pose = pose_at(motion, t);
   std::vector<Point> result;
   result.reserve(points.size());
-  for (const Point& p : points) {
-    const auto row = [&](std::size_t i) {
-      return mpq_class(pose[i][0] * p.x + pose[i][1] * p.y + pose[i][2] * p.z + pose[i][3]);
-    };
-    result.push_back({row(0), row(1), row(2)});
-  }
+  for (const Point& p : points) result.push_back(files::placed(p, pose));
   return result;
 }
 

@@ -182,10 +182,6 @@ Json patch_object(const Manifold& manifold, const Patch& patch) {
   return with_features(std::move(result), patch);
 }
 
-Json weights_array(const std::vector<Weight>& weights) {
-  return Json::array_of(weights, [](const Weight& w) { return Json::array({Json(w.index), exact(w.weight)}); });
-}
-
 // ---- polytopes and shapes ----
 
 /// `found`: what `answered` holds, Depth or SignedDepth.

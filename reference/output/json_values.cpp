@@ -111,6 +111,10 @@ Json exact(const mpq_class& q) {
 Json exact(const Point& p, unsigned dimension) { return exact_array(p, dimension); }
 Json exact(const Vector& v, unsigned dimension) { return exact_array(v, dimension); }
 
+Json weights_array(const std::vector<Weight>& weights) {
+  return Json::array_of(weights, [](const Weight& w) { return Json::array({Json(w.index), exact(w.weight)}); });
+}
+
 Json turn_object(const Point& w, unsigned dimension) { return dimension == 2 ? exact(w.z) : exact(w); }
 
 Json length(const mpq_class& squared, const std::optional<unsigned>& digits) {

@@ -32,6 +32,8 @@ Json exact(const mpq_class& q);
 // `dimension`: 2 in the plane, where the third coordinate, which is 0, is left out.
 Json exact(const Point& p, unsigned dimension = 3);
 Json exact(const Vector& v, unsigned dimension = 3);
+/// [[index, "weight"], ...]
+Json weights_array(const std::vector<Weight>& weights);
 /// An angular velocity: in the plane one number.
 Json turn_object(const Point& w, unsigned dimension);
 

@@ -75,7 +75,7 @@ def numbers():
         left = NUMBERS + more - 3 - 3 - 28 - 4 - 2 * 4 - count * 7  # points, motions, pieces, weights
         text = list(Moving([ZERO] * (1 + left % 2), "contact 1/2", [EARLY] + ["1/2 ab 0 0 1 0 1 0"] * count,
                            weights=["0 1"] * ((left - 3 * (left % 2) + 6) // 2)).lines())
-        yield f"{NUMBERS + more} numbers", text, len(text) - 2 if more else None  # that of b's weight
+        yield f"{NUMBERS + more} numbers", text, len(text) - 1 if more else None  # that of b's weight
 
 
 if __name__ == "__main__":

@@ -43,9 +43,16 @@ class ImpactTest(CliTest):
         return done.stdout.decode().splitlines()
 
     def test_all_checkers_accept_what_is_written(self):
-        stream = "".join(json.dumps(case) + "\n" for case in cases(240))
-        folder = self.folder / "proofs"
-        out = self.answer("impact", "--json", "--certificate", folder, "-", stdin=stream)
+        self.accepted(40, 240, 60)
+
+    def test_on_coarse_grids_too(self):
+        for bits in (1, 2):
+            self.accepted(bits, 60, 3)
+
+    def accepted(self, bits, count, contacts):
+        stream = "".join(json.dumps(case) + "\n" for case in cases(count))
+        folder = self.folder / f"proofs_{bits}"
+        out = self.answer("impact", "--json", "--bits", bits, "--certificate", folder, "-", stdin=stream)
         results = [json.loads(line) for line in out.splitlines()]
         texts = [(folder / f"{each['id']}.cert").read_text() for each in results]
         expected = []
@@ -55,13 +62,13 @@ class ImpactTest(CliTest):
                 expected.append(f"s VERIFIED apart until=1 {each['id']}")
             elif first:
                 expected.append(f"s VERIFIED contact until={first['t0']['exact']} at={first['t1']['exact']} {each['id']}")
-                self.assertEqual(Fraction(first["t1"]["exact"]) - Fraction(first["t0"]["exact"]), Fraction(1, 2**40))
+                self.assertEqual(Fraction(first["t1"]["exact"]) - Fraction(first["t0"]["exact"]), Fraction(1, 2**bits))
             else:
                 expected.append(None)
             self.assertTrue(pieces or each["beginning"])
         statuses = {each["status"] for each in results}
         self.assertLessEqual({"apart", "contact"}, statuses)
-        self.assertGreater(sum(each["status"] == "contact" for each in results), 60)
+        self.assertGreater(sum(each["status"] == "contact" for each in results), contacts)
         for checker in CHECKERS:
             lines = self.verdicts(checker, texts)
             self.assertEqual(len(lines), len(texts))

@@ -60,6 +60,12 @@ Point combined(const PointList& points, const std::vector<Weight>& weights) {
 /// Every law of an answer, by definitions and by the depth at single times.
 void expect_laws(const PointList& a, const RigidMotion& of_a, const PointList& b, const RigidMotion& of_b,
                  const Impact& found, unsigned bits = 40) {
+  if (found.status != ImpactStatus::at_beginning) {
+    ASSERT_FALSE(found.pieces.empty());
+    EXPECT_TRUE(found.pieces.front().plane && found.pieces.back().plane) << "planes stand at both ends";
+  }
+  const auto both_near = [](const ImpactPiece& p, const ImpactPiece& q) { return p.near && q.near; };
+  EXPECT_EQ(std::ranges::adjacent_find(found.pieces, both_near), found.pieces.end()) << "and between near misses";
   mpq_class from = 0;
   for (const ImpactPiece& piece : found.pieces) {
     ASSERT_LE(from, piece.until) << "pieces follow one another";
@@ -179,6 +185,25 @@ TEST(Impact, RandomMotionsOfBodiesOfAnyRank) {
   }
   EXPECT_GT(contacts, 30);
   EXPECT_GT(apart, 15);
+}
+
+TEST(Impact, OnCoarseGridsPlanesStandAtBothEnds) {
+  // The cubes meet in the first cell, at 3/8.
+  const PointList cube = testing::box({0, 0, 0}, {1, 1, 1});
+  const RigidMotion along{{1, 0, 0, 0}, {1, 0, 0, 0}, {4, 0, 0}, {-4, 0, 0}};
+  const Impact early = first_contact(cube, along, cube, at_rest, {.bits = 1});
+  expect_laws(cube, along, cube, at_rest, early, 1);
+  ASSERT_TRUE(early.contact);
+  EXPECT_EQ(early.contact->t0, 0);
+  EXPECT_EQ(early.pieces.size(), 1U);
+
+  // A point turns about a cube by half a turn, and is never nearer to it than 2 - sqrt(2): it is
+  // apart, and not near, though no plane holds for half of the time.
+  const PointList point{{2, 0, 0}}, around = testing::box({-1, -1, -1}, {1, 1, 1});
+  const RigidMotion turn{{1, 0, 0, 0}, {0, 0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
+  const Impact past = first_contact(point, turn, around, at_rest, {.bits = 1});
+  expect_laws(point, turn, around, at_rest, past, 1);
+  EXPECT_EQ(past.status, ImpactStatus::apart);
 }
 
 TEST(Impact, AMotionOfBothIsThatOfOneSeenFromTheOther) {

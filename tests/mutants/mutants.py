@@ -72,7 +72,7 @@ MUTANTS = [Mutant(*fields) for fields in [
      "motion_tests"),
     ("reference/motion/motion.cpp", "multiple(result[0], result[1], -1))", "multiple(result[0], result[1], 1))", "motion_tests"),
     ("reference/motion/impact.cpp", "Moment next = at(now.t + cell_);", "Moment next = at(now.t + cell_ / 2);", "motion_tests"),
-    ("reference/motion/impact.cpp", "if (best < next.t && from->squared_distance()", "if (best < next.t || from->squared_distance()",
+    ("reference/motion/impact.cpp", "if (stuck && from->squared_distance()", "if (stuck || from->squared_distance()",
      "motion_tests"),
     # contact patches and derivatives: the faces for the patch, one corner, the first optimum, the wrong order
     ("reference/patch/patch.cpp", "if (sign < 0) return std::nullopt;", "if (sign <= 0) return std::nullopt;", "patch_tests"),

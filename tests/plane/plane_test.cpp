@@ -374,6 +374,17 @@ TEST(Plane, TransformsOfDrawingsAreExact) {
   EXPECT_EQ(circle("matrix(6 8 8 -6 0 1)"), (Shape{fathom::hull(Points{{6, 9, 0}}).core, 5})) << "law: mirrored too";
 }
 
+TEST(Plane, StylesOfDrawingsDoNotMove) {
+  const auto styled = [](const std::string& style) {
+    return svg_body("<g style='" + style + "'><line x1='1' x2='5' y2='2'/></g>").points.exact();
+  };
+  for (const char* const style : {"", "text-transform:none", "fill:red; text-transform : none;", "scaled:2", "fill"})
+    EXPECT_EQ(styled(style), (Points{{1, 0, 0}, {5, 2, 0}})) << style;
+  for (const char* const style : {"scale:2", "fill:red; Scale : 2", "rotate:90deg", "translate:1px 2px",
+                                  "transform:none", ";transform-origin:0 0;"})
+    EXPECT_THROW(styled(style), InputError) << style;
+}
+
 TEST(Plane, HasShortWords) {
   const auto word = [](const std::string& text) { return files::parse_shape(text, Decimals::exact); };
   const auto said = [&](const std::string& text) -> std::string {

@@ -133,6 +133,13 @@ class Requests(unittest.TestCase):
         done = run(sys.executable, "-B", REPLAY, path, self.folder / "none", *ADAPTERS["bullet-epa"], codes=(2,))
         self.assertIn('declares {"precisions": ["binary64", "binary64"]', done.stderr)
         self.assertEqual(run(sys.executable, "-B", REPLAY, path, codes=(2,)).stderr.split(":")[0], "usage")
+        no_file, empty, kept = (self.folder / name for name in ("no file", "empty", "kept"))
+        empty.write_text("")
+        kept.write_text("answers")
+        for given, said in ((no_file, "No such file"), (empty, "empty: expected what fathom certify --write-requests writes")):
+            done = run(sys.executable, "-B", REPLAY, given, kept, "true", codes=(2,))
+            self.assertRegex(done.stderr, f"^replay.py: .*{said}.*\n$")
+            self.assertEqual(kept.read_text(), "answers")
         dead = run(sys.executable, "-B", REPLAY, path, self.folder / "none", "sh", "-c",
                    f"sed -u 2q | {' '.join(map(str, ADAPTERS['libccd-epa']))}", codes=(1,))
         self.assertIn(": no answer: ''", dead.stdout)

@@ -98,6 +98,17 @@ class Changes(unittest.TestCase):
                       tables.changes_page(results))
         self.assertIn("<td>2: thin&lt;</td>", history.section(results))
 
+    def test_sets_of_two(self):
+        """Law: a row says who judged its set, whoever judged the other sets; of families with as many failures as before none is named."""
+        first, then = self.answers("fathom 1", "2026-01-01", "..D-"), self.answers("fathom 1", "2026-02-02", "...D")
+        last = self.answers("fathom 2", "2026-03-03", "...D")
+        subject = self.asked(("1.0", "20", first), ("1.1", "20", then), ("1.1", "real", then), ("1.1", "real", last))
+        self.assertEqual(list(subject["sets"]), ["20", "real"])
+        self.assertEqual(history.rows_of({"subjects": [subject]}), [
+            ["engine-way", "1.0, answered 2026-01-01", "1.1, answered 2026-02-02", "20", "2 to 3 of 4", "declined 1 to 0", "1", "1"],
+            ["engine-way", "1.1 by fathom 1, answered 2026-02-02", "1.1 by fathom 2, answered 2026-03-03", "real", "3 to 3 of 4", "", "",
+             ""]])
+
     def test_nothing(self):
         """Law: who was asked by one version, once or again, has nothing earlier; and neither page has a section."""
         one = self.answers("fathom 1", "2026-01-01", "..D-")

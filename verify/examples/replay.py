@@ -7,8 +7,8 @@
 `fathom certify --write-requests REQUESTS` wrote the file: what a subject of that hello reads, and beside it the exact answer and which
 claims pass. COMMAND speaks the protocol of verify/PROTOCOL.md. ANSWERS gets its hello and replies, by the ids of the cases, as `fathom
 certify --replay` reads them. An answer outside of the bounds is wrong; one inside may still have a wrong direction or point, at which
-nobody looks here. Exit codes: 0 all are inside; 1 some are outside, or are no answers; 2 wrong arguments, or a program with other
-conventions than those of the file. Needs Python 3.8 or later, and nothing else.
+nobody looks here. Exit codes: 0 all are inside; 1 some are outside, or are no answers; 2 wrong arguments, another file, or a program
+with other conventions than those of the file. Needs Python 3.8 or later, and nothing else.
 """
 import json
 import math
@@ -53,10 +53,13 @@ class Program:
 
 
 def hello_of(program):
-    """Returns the hello; lines before it that are no JSON are a greeting."""
+    """Returns the hello, None if there is none in time; lines before it that are no JSON are a greeting."""
     line = program.ask({"type": "hello", "protocol": "fathom/subject/1"})
-    while line and not line.startswith("{"):
-        line = program.lines.get()
+    try:
+        while line and not line.startswith("{"):
+            line = program.lines.get(timeout=PATIENCE)
+    except queue.Empty:
+        return None
     return json.loads(line) if line else None
 
 
@@ -98,6 +101,17 @@ def decides(hello):
             "claims": conventions.get("claims", "minimum")}
 
 
+def requests_of(path):
+    """Returns the header and the requests of a file."""
+    try:
+        with open(path, encoding="utf-8") as file:
+            header, *requests = map(json.loads, file)
+        decides(header["subject"])
+    except (ValueError, KeyError, TypeError, AttributeError):
+        raise ValueError(f"{path}: expected what fathom certify --write-requests writes, found something else") from None
+    return header, requests
+
+
 def replay(header, requests, answers, command):
     """Returns (requests, declined, outside); writes the answers."""
     program, declined, wrong = Program(command), 0, 0
@@ -122,7 +136,10 @@ def replay(header, requests, answers, command):
             program.process.kill()
             program.end()
             program = Program(command)
-            hello_of(program)
+            try:
+                hello_of(program)
+            except ValueError:
+                pass  # what it answers next tells
         if said:
             wrong += 1
             print(f"{request['id']}: {said}", flush=True)
@@ -134,14 +151,13 @@ def main(words):
     if len(words) < 3:
         print("usage: replay.py REQUESTS ANSWERS COMMAND [WORD..]", file=sys.stderr)
         return 2
-    with open(words[0], encoding="utf-8") as file:
-        header, *requests = map(json.loads, file)
-    with open(words[1], "w", encoding="utf-8") as answers:
-        try:
+    try:
+        header, requests = requests_of(words[0])
+        with open(words[1], "w", encoding="utf-8") as answers:
             asked, declined, wrong = replay(header, requests, answers, words[2:])
-        except (ValueError, KeyError, OSError) as error:
-            print(f"replay.py: {error}", file=sys.stderr)
-            return 2
+    except (ValueError, KeyError, TypeError, OSError) as error:
+        print(f"replay.py: {error}", file=sys.stderr)
+        return 2
     print(f"{asked} requests: {asked - declined - wrong} inside of the bounds, {wrong} outside, {declined} declined")
     return 1 if wrong else 0
 

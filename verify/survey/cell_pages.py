@@ -46,9 +46,8 @@ def is_of_plane(line):
 
 def reproducer(line, adapters):
     commands = [f"fathom certify --adapter {adapter} --html {adapter}.html --certificates proofs case.jsonl" for adapter in adapters]
-    smaller = [] if is_of_plane(line) else [f"fathom certify --adapter {adapters[0]} --shrink small case.jsonl"]
-    return "\n".join(["cat > case.jsonl <<'END'", line, "END", "fathom depth --svg pictures --certificate proofs case.jsonl", *commands,
-                      *smaller])
+    commands.append(f"fathom certify --adapter {adapters[0]} --shrink small case.jsonl")
+    return "\n".join(["cat > case.jsonl <<'END'", line, "END", "fathom depth --svg pictures --certificate proofs case.jsonl", *commands])
 
 
 def case_article(case, line, what, failing, certificate):

@@ -42,13 +42,12 @@ def key_of(kept):
     return kept["hello"]["version"], next(found["made"]["fathom"] for found in kept["sets"].values())
 
 
-def version_text(stage, other):
-    """Returns the version of the library, and that of fathom where the other stage has a different one; with the day of its release if
-    that is known, else of its answers."""
-    version, fathom = key_of(stage)
-    by = f" by {fathom}" if fathom != key_of(other)[1] else ""
-    date = next(iter(stage["sets"].values()))["made"]["date"]
-    return f"{version}{by}, " + (f"of {stage['released']}" if "released" in stage else f"answered {date}")
+def version_text(stage, other, name):
+    """Returns the version of the library, and that of fathom where the other stage has a different one for the set; with the day of its
+    release if that is known, else of its answers."""
+    made, others = (each["sets"][name]["made"] for each in (stage, other))
+    by = f" by {made['fathom']}" if made["fathom"] != others["fathom"] else ""
+    return f"{stage['hello']['version']}{by}, " + (f"of {stage['released']}" if "released" in stage else f"answered {made['date']}")
 
 
 def failing(found):
@@ -63,7 +62,8 @@ def counted(before, after):
     old = failing(before)
     rows = [row.rpartition("::")[2] for row, count in failing(after).items() if count > old.get(row, 0)]
     more = f" and {len(rows) - MOST_NAMED} more" if len(rows) > MOST_NAMED else ""
-    return f"{number}: {', '.join(rows[:MOST_NAMED])}{more}" if number else ""
+    names = f": {', '.join(rows[:MOST_NAMED])}{more}" if rows else ""
+    return f"{number}{names}" if number else ""
 
 
 def compared(before, after):
@@ -85,7 +85,7 @@ def rows_of(results):
             for name, found in stage["sets"].items():
                 before = next((each for each in reversed(stages[:number]) if name in each["sets"]), None)
                 if before:
-                    rows.append([subject["adapter"], version_text(before, stage), version_text(stage, before), name,
+                    rows.append([subject["adapter"], version_text(before, stage, name), version_text(stage, before, name), name,
                                  *compared(before["sets"][name], found)])
     return rows
 

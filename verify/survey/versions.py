@@ -43,6 +43,9 @@ def main(words=None):
         survey.say(fault)
     if faults:
         return 3
+    before = subject.get("earlier", [])
+    known = {history.key_of(kept): kept["sets"] for kept in before}
+    newer = [kept for kept in before if kept["hello"]["version"] not in tasks]
     subject["earlier"] = []
     for version, asked in tasks.items():
         answers, hello = {}, {}
@@ -51,7 +54,10 @@ def main(words=None):
             made = {"date": datetime.date.today().isoformat(), "fathom": survey.version_of(options.fathom),
                     "cases": sets.digest(options.work / f"{task.name}.jsonl")}
             hello, _, answers[task.name] = tally.answers_of(report, report, made, sets.SETS[task.name].by_case)
-        subject["earlier"].append(history.entry(hello, answers, RELEASED.get(version, "")))
+        kept = history.entry(hello, answers, RELEASED.get(version, ""))
+        kept["sets"] = {**known.get(history.key_of(kept), {}), **kept["sets"]}
+        subject["earlier"].append(kept)
+    subject["earlier"] += newer
     (options.out / "results.json").write_text(tally.text(results), encoding="utf-8")
     return 0
 

@@ -54,9 +54,9 @@ from fathom._questions import (Approx, Growth, Impact, Judgement, Metric, Ray, S
 from fathom._unions import PieceContact, UnionBounds, UnionDepth, UnionDistance, UnionOptimum, union_depth
 
 __all__ = ["Approx", "Body", "Case", "Checked", "Convexity", "Coverage", "Depth", "Depths", "Derivative", "Exact", "Gradient", "Growth",
-           "Impact", "Judgement", "Metric", "NotConvexWarning", "OptimalCone", "Optimum", "Patch", "PatchCorner", "PieceContact", "Pose", "Prepared",
-           "Ray", "Record", "Root", "Study", "UnionBounds", "UnionDepth", "UnionDistance", "UnionOptimum", "VertexWeights", "Width",
-           "approx", "box", "capsule", "cases", "check", "closer_than", "cone", "convexity", "coverage", "cylinder", "depth", "depths",
-           "distance", "ellipsoid", "family", "frustum", "golden", "growth", "halfspace", "impact", "judge", "metric", "overlap", "plane",
-           "pose", "ray", "read", "read_mesh", "read_pieces", "solid", "sphere", "study", "tapered_capsule", "union", "union_depth",
-           "width", "__version__"]
+           "Impact", "Judgement", "Metric", "NotConvexWarning", "OptimalCone", "Optimum", "Patch", "PatchCorner", "PieceContact", "Pose",
+           "Prepared", "Ray", "Record", "Root", "Study", "UnionBounds", "UnionDepth", "UnionDistance", "UnionOptimum", "VertexWeights",
+           "Width", "approx", "box", "capsule", "cases", "check", "closer_than", "cone", "convexity", "coverage", "cylinder", "depth",
+           "depths", "distance", "ellipsoid", "family", "frustum", "golden", "growth", "halfspace", "impact", "judge", "metric",
+           "overlap", "plane", "pose", "ray", "read", "read_mesh", "read_pieces", "solid", "sphere", "study", "tapered_capsule", "union",
+           "union_depth", "width", "__version__"]

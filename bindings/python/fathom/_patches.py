@@ -151,7 +151,7 @@ class ContactAnswer:
         Of bodies of the plane v and v_b are two numbers, and w and w_b are one, counter-clockwise.
 
         It is the exact one-sided derivative, (s(t) - s(0)) / t for t -> 0 from above, whether the depth is smooth or not. Raises ValueError
-        unless each has three finite numbers, TypeError for what is no number.
+        unless each has so many finite numbers, TypeError for what is no number.
 
         >>> import fathom
         >>> hit = fathom.depth(fathom.box((1, 1, 1)), fathom.box((1, 1, 1)), pose_b="xyz=1,1/2,1/4")

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Bodies of the plane, with the names that cases have for them. An array of shape (n, 2), or a list of pairs, is a polygon.
 
-`depth`, `distance`, `depths`, `union_depth`, `overlap` and `closer_than` take two of them; points and vectors of the answer have two
-coordinates, and contacts are those of vertices and edges. The other questions are about bodies of space, and raise ValueError.
+`depth`, `distance`, `depths`, `union_depth`, `overlap`, `closer_than`, `ray`, `growth`, `metric`, `approx` and `judge` take two of them,
+`width` one; points and vectors have two coordinates, and contacts are those of vertices and edges. The other questions are about bodies
+of space, and raise ValueError.
 
 >>> import fathom
 >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
