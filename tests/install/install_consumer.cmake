@@ -52,7 +52,7 @@ run(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/c
 run(${CMAKE_COMMAND} --build ${WORK}/consumer)
 run(${WORK}/consumer/all_headers)
 run(${WORK}/consumer/check)
-foreach(example depth.cpp certificate.cpp c_judge.c)
+foreach(example depth.cpp answer.cpp c_judge.c)
   cmake_path(GET example STEM name)
   run(${CMAKE_COMMAND} -D PROGRAM=${WORK}/consumer/${name} -D "SOURCE=${examples}/${example}" -P "${examples}/run.cmake")
 endforeach()
