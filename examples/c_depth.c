@@ -126,4 +126,4 @@ int main(void) { return boxes() != 0 || proof() != 0; }
 //> exactly 1/4
 //> s VERIFIED penetrating depth_squared=3/16 optima=1 quarter
 //> no: s REFUSED quarter:4: point 0 of a is not that of the case
-//> no: s MALFORMED certificate:1: expected 'fathom-certificate' and a format: 1 to 5, found 'no certificate'
+//> no: s MALFORMED certificate:1: expected 'fathom-certificate' and a format: 1 to 6, found 'no certificate'

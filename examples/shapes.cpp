@@ -87,4 +87,4 @@ int main() {
 //> 21/10, around an axis along z: 1
 //> 8 terms; flat: 0, a triangle: 1
 //> penetrating 0.5 (0, 1) vertex-vertex, dimension 2
-//> up 5, in the norm 1, growth 1/2
+//> up 5, in the norm 1, growth 4/7

@@ -199,6 +199,7 @@ Replies impact_replies(const ImpactRequest& request) {
   replies.refuses_shapes = "impact takes polytopes";
   replies.refuses_unions = "impact takes polytopes";
   replies.refuses_plane = "impact takes bodies of space";
+  replies.reads_text = true;  // Case has no motions
   replies.reply = [&request,
                    files = std::make_shared<FilePlaces>(request, request.certificate, "certificate", ".cert")](
                       const AskedCase& asked, Monitor& monitor, Workspace&) -> CaseReply {

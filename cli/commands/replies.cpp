@@ -105,8 +105,8 @@ std::string ids_text(const std::vector<std::string>& ids, std::size_t count) {
   return count > ids.size() ? fmt::format("{} and {} more", result, count - ids.size()) : result;
 }
 
-/// Sets `text` to that of the case.
-Case case_of_stream(const std::string& input, const std::optional<std::string>& asked, std::string& text_of_case) {
+/// Sets `text_of_case`, if it is given.
+Case case_of_stream(const std::string& input, const std::optional<std::string>& asked, std::string* text_of_case) {
   CaseInput source(input, interrupt_requested);
   files::UnreadCases texts = source.texts();
   std::vector<std::string> ids;
@@ -114,7 +114,7 @@ Case case_of_stream(const std::string& input, const std::optional<std::string>& 
   std::vector<CaseItem> first;  // at most one case
   while (const std::optional<files::UnreadCase> text = texts.next()) {
     CaseItem item = files::read_case(*text, texts.name());
-    if (item.id == asked || count == 0) text_of_case = text->text;
+    if (text_of_case && (item.id == asked || count == 0)) *text_of_case = text->text;
     if (item.id == asked) return item.ok() ? item.value() : throw item.error();
     if (ids.size() < most_ids) ids.push_back(item.id);
     if (++count == 1) first.push_back(std::move(item));
@@ -185,9 +185,7 @@ Body mesh_of_input(const std::string& input, Decimals decimals) {
 Case asked_case(const BodiesRequest& request, const std::string& refuses_unions, const std::string& refuses_shapes,
                 const std::string& refuses_plane, std::string* text) {
   refuse_poses_of_stream(request);
-  std::string unasked;
-  Case single = holds_cases(request) ? case_of_stream(request.inputs[0], request.case_id, text ? *text : unasked)
-                                     : single_case(request);
+  Case single = holds_cases(request) ? case_of_stream(request.inputs[0], request.case_id, text) : single_case(request);
   const std::string fault = wrong_bodies(single, request.one_body, refuses_shapes, refuses_unions, refuses_plane);
   return fault.empty() ? single : throw InputError(single.id, 0, fault);
 }
@@ -225,6 +223,7 @@ StreamWork stream_work(const BodiesRequest& request, const Replies& replies) {
   work.refuses_shapes = replies.refuses_shapes;
   work.refuses_unions = replies.refuses_unions;
   work.refuses_plane = replies.refuses_plane;
+  work.reads_text = replies.reads_text;
   work.answer = replies.reply;
   work.require_convex = request.require_convex;
   work.threads = request.threads.value_or(usual_threads());
@@ -235,7 +234,8 @@ ExitCode reply_to_inputs(const BodiesRequest& request, const Replies& replies) {
   refuse_poses_of_stream(request);
   if (is_stream(request)) return for_each_case(request.inputs[0], stream_work(request, replies));
   std::string text;
-  const Case single = asked_case(request, replies.refuses_unions, replies.refuses_shapes, replies.refuses_plane, &text);
+  const Case single = asked_case(request, replies.refuses_unions, replies.refuses_shapes, replies.refuses_plane,
+                                 replies.reads_text ? &text : nullptr);
   const InterruptGuard interrupt_guard;
   Progress progress;
   AskedCase asked = looked_at(single, request);

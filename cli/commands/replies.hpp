@@ -77,6 +77,8 @@ struct Replies {
   std::string refuses_unions = {};
   /// As in StreamWork.
   std::string refuses_plane = {};
+  /// As in StreamWork.
+  bool reads_text = false;
 };
 
 /// Throws InputError if both shapes are half-spaces.

@@ -203,6 +203,7 @@ void answer_case(StreamedCase& streamed, const std::string& name, const StreamWo
   streamed.id = std::to_string(line);
   try {
     const CaseItem item = files::read_case(streamed.text, name);
+    if (!work.reads_text) std::string().swap(streamed.text.text);
     streamed.id = item.id;
     if (!item.ok()) return lose(item.error(), bad_input);
     if (const std::string fault =

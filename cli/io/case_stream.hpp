@@ -73,7 +73,7 @@ std::optional<std::size_t> cases_in(const std::string& path);
 struct AskedCase {
   const Case& input;
   output::AboutBodies bodies;
-  std::string_view text = {};  ///< of the case, for fields that Case has not; empty if it is none of JSON
+  std::string_view text = {};  ///< of a case in JSON, for fields that Case has not, if it is asked for
 
   AskedCase(const Case& asked, bool one_body) : input(asked), bodies(output::about_bodies(asked, one_body)) {}
   operator const Case&() const { return input; }  // NOLINT(google-explicit-constructor): most commands need no more
@@ -111,6 +111,8 @@ struct StreamWork {
   std::string refuses_unions;
   /// The same of bodies of the plane.
   std::string refuses_plane = {};
+  /// Whether `answer` reads the text of the case, which takes as much memory as the case.
+  bool reads_text = false;
   /// Whether a mesh that is not convex is an error.
   bool require_convex = false;
   /// The number of cases answered at once.

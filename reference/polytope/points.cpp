@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstdlib>
 #include <limits>
+#include <new>
 
 #include "fathom/numbers.hpp"
 #include "kernels/number/rational.hpp"
@@ -103,8 +104,11 @@ polytope::Positions Points::exact(std::vector<Point>& room) const {
 std::vector<Point> exact_points(std::span<const std::array<double, 3>> body) {
   std::vector<Point> points;
   points.reserve(body.size());
-  for (const std::array<double, 3>& p : body)
+  for (const std::array<double, 3>& p : body) {
+    // Where memory ends GMP cannot throw; operator new can, once GMP has got the last of it.
+    if (points.size() % 1024 == 0) ::operator delete(::operator new(1));
     points.push_back({exact_value(p[0]), exact_value(p[1]), exact_value(p[2])});
+  }
   return points;
 }
 

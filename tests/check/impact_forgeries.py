@@ -65,9 +65,10 @@ def parallel_edges(m, rng):
 
 
 def motion_through_zero(m, rng):
-    """The quaternion of a body is O within the time of a piece."""
+    """The quaternion of a body is O within the time of a piece: not within a near miss, of which nothing is claimed."""
     motion, k = rng.choice(m.motions), rng.choice([1, 2, 3])
-    if m.pieces[-1][1] != 1:
+    zero, ends = Fraction(1, 1 + k), [Fraction(0), *(end for _, end, *_ in m.pieces)]
+    if m.pieces[-1][1] != 1 or any(kind == "near" and begin < zero < end for begin, (kind, end, *_) in zip(ends, m.pieces)):
         return False
     motion[1] = [-k * Fraction(x) for x in motion[0]]
 
