@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstdint>
 #include <mutex>
-#include <new>
 #include <stdexcept>
 #include <utility>
 
@@ -66,11 +65,7 @@ const std::vector<Point>& GivenPoints::exact() const {
     }
     std::vector<Point> points;
     points.reserve(given->points.size());
-    for (const auto& [x, y, z] : given->points) {
-      // Where memory ends GMP cannot throw; operator new can, once GMP has got the last of it.
-      if (points.size() % 1024 == 0) ::operator delete(::operator new(1));
-      points.push_back({exact_value(x), exact_value(y), exact_value(z)});
-    }
+    for (const auto& [x, y, z] : given->points) points.push_back({exact_value(x), exact_value(y), exact_value(z)});
     given->exact = std::move(points);
   });
   return given_->exact;
