@@ -169,7 +169,9 @@ void write_claim(Text& text, const Certificate& c) {
     case Claim::bounds: return text.line("claim bounds", c.low, c.high);
     case Claim::touching: return text.line("claim touching");
     case Claim::disjoint: return text.line("claim disjoint");
-    case Claim::apart: return text.line("claim apart", c.low);
+    case Claim::apart: return c.format == 6 ? text.line("claim apart") : text.line("claim apart", c.low);
+    case Claim::grazing: return text.line("claim grazing");
+    case Claim::contact: return text.line("claim contact", c.low);
     case Claim::signed_bounds: return text.line("claim signed_bounds", c.low, c.high);
     case Claim::solid: return text.line("claim solid");
   }
@@ -287,6 +289,35 @@ void write_patches(Text& text, const fathom_check::PatchParts& parts) {
               [&](const fathom_check::PatchParts::Rate& rate) { text.line(rate.v, rate.w, rate.sign, rate.root); });
 }
 
+void write_motions(Text& text, const fathom_check::MotionParts& parts) {
+  for (const std::size_t k : {0, 1}) {
+    text.line(k == 0 ? "motion_a" : "motion_b");
+    for (const fathom_check::MotionParts::Quaternion& turn : parts.motions[k].turns) text.line(turn.r, turn.v);
+    for (const RationalPoint& place : parts.motions[k].places) text.line(place);
+  }
+}
+
+/// Writes the lines after the claim of format 6.
+void write_proof_of_motions(Text& text, const Certificate& c) {
+  using Kind = fathom_check::MotionParts::Piece::Kind;
+  const auto weight = [&](const fathom_check::Weight& w) { text.line(std::size_t{w.index}, w.weight); };
+  text.part("pieces", c.of_motions.pieces, [&](const fathom_check::MotionParts::Piece& piece) {
+    const fathom_check::Vector &n = piece.n, &g = piece.g;
+    switch (piece.kind) {
+      case Kind::of_b: return text.line(piece.end, "b", n.x, n.y, n.z);
+      case Kind::of_a: return text.line(piece.end, "a", n.x, n.y, n.z);
+      case Kind::of_edges: return text.line(piece.end, "ab", n.x, n.y, n.z, g.x, g.y, g.z);
+      case Kind::near: break;
+    }
+    text.line(piece.end, "near", piece.delta);
+    text.part("weights_a", piece.weights[0].items, weight);
+    text.part("weights_b", piece.weights[1].items, weight);
+  });
+  if (c.claim != Claim::contact) return;
+  text.part("weights_a", c.weights_a.items, weight);
+  text.part("weights_b", c.weights_b.items, weight);
+}
+
 /// Returns the certificate without its first line and its id.
 std::string text_of(const Certificate& c) {
   Text text;
@@ -296,10 +327,12 @@ std::string text_of(const Certificate& c) {
   if (c.raising) text.line("plane", c.raising->height);
   write_body(text, c.a, "a", c.raising.has_value());
   write_body(text, c.b, "b", c.raising.has_value());
+  if (c.format == 6) write_motions(text, c.of_motions);
   write_claim(text, c);
   if (c.format == 3) write_proof_of_unions(text, c);
+  if (c.format == 6) write_proof_of_motions(text, c);
   // For two bodies the proof is left out: the proved checker, which cannot read it, stops before.
-  if (c.format == 3 || c.format == 5) return std::move(text).ended(c.format);
+  if (c.format == 3 || c.format == 5 || c.format == 6) return std::move(text).ended(c.format);
   text.part("directions", c.directions.items, vector, c.all ? " all" : " some");
   for (const bool heights : {true, false}) {
     write_proof_of_body(text, c.a, "a", heights);
