@@ -167,9 +167,7 @@ constexpr Example impact_examples[] = {
      "A tips over while it falls: when does it meet B, within 2^-40 of the motion?"},
     {"fathom impact --from \"xyz=0,0,4\" --to \"xyz=0,0,0\" --certificate impact.cert a.off b.stl",
      "the proof, for fathom check: planes that separate them until then"},
-    {R"(fathom cases --from a.off b.stl | sed 's/}$/,"motion":{"a":{"from":"xyz=0,0,4","to":"xyz=0,0,0"}}}/' | )"
-     "fathom impact --json -",
-     "for every case of a stream, by its field \"motion\""},
+    {"fathom impact --json moves.jsonl", "for every case of a stream, by its field \"motion\""},
 };
 
 constexpr Example metric_examples[] = {
