@@ -353,13 +353,6 @@ std::vector<Point> placed_at(std::span<const Point> points, const RigidMotion& m
   return result;
 }
 
-RigidMotion shorter_way(RigidMotion motion) {
-  const Quaternion& p = motion.q0;
-  Quaternion& q = motion.q1;
-  if (p.w * q.w + p.x * q.x + p.y * q.y + p.z * q.z < 0) q = {-q.w, -q.x, -q.y, -q.z};
-  return motion;
-}
-
 std::string_view name(MovingPlane::Kind kind) {
   return kind == MovingPlane::Kind::of_b ? "face of B" : kind == MovingPlane::Kind::of_a ? "face of A" : "edges";
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapes by name, as sums of terms and a radius, and their poses; of fathom/shape.hpp.
+// Shapes by name, as sums of terms and a radius, and their poses; of fathom/shape.hpp. And which
+// way a rigid motion turns; of fathom/impact.hpp.
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "fathom/impact.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
 #include "reference/files/pose.hpp"
@@ -194,6 +196,13 @@ Pose rigid_pose(const Quaternion& rotation, const Point& translation) {
   return {{{1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y), translation.x},
            {s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x), translation.y},
            {s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y), translation.z}}};
+}
+
+RigidMotion shorter_way(RigidMotion motion) {
+  const Quaternion& p = motion.q0;
+  Quaternion& q = motion.q1;
+  if (p.w * q.w + p.x * q.x + p.y * q.y + p.z * q.z < 0) q = {-q.w, -q.x, -q.y, -q.z};
+  return motion;
 }
 
 Shape moved(const Shape& shape, const Pose& pose) {
