@@ -237,12 +237,17 @@ void write_proof_of_body(Text& text, const Body& body, const char* name, bool he
   text.part(std::string("inner_") + name, points, [&](const auto& places) { text.row(places); });
 }
 
+void write_weights(Text& text, const std::vector<fathom_check::Weight>& a, const std::vector<fathom_check::Weight>& b) {
+  const auto weight = [&](const fathom_check::Weight& w) { text.line(std::size_t{w.index}, w.weight); };
+  text.part("weights_a", a, weight);
+  text.part("weights_b", b, weight);
+}
+
 /// Writes the lines after the claim.
 void write_proof_of_unions(Text& text, const Certificate& c) {
   const fathom_check::UnionParts& parts = c.of_unions;
   const auto vector = [&](const fathom_check::Vector& n) { text.line(n.x, n.y, n.z); };
   const auto pair = [&](const fathom_check::Pair& v) { text.line(std::size_t{v.j}, std::size_t{v.i}); };
-  const auto weight = [&](const fathom_check::Weight& w) { text.line(std::size_t{w.index}, w.weight); };
   const auto separations = [&](std::size_t list) {
     const std::size_t first = fathom_check::begin_of(parts.separation_lists, list);
     text.range("separations", parts.separations.items, first, parts.separation_lists[list].end, vector);
@@ -250,8 +255,7 @@ void write_proof_of_unions(Text& text, const Certificate& c) {
   if (c.claim != Claim::depth) {
     separations(0);
     text.line("nearest", std::size_t{parts.nearest_a}, std::size_t{parts.nearest_b});
-    text.part("weights_a", c.weights_a.items, weight);
-    text.part("weights_b", c.weights_b.items, weight);
+    write_weights(text, c.weights_a.items, c.weights_b.items);
     return;
   }
   std::size_t list = 0, vertex = 0, facet = 0;
@@ -300,7 +304,6 @@ void write_motions(Text& text, const fathom_check::MotionParts& parts) {
 /// Writes the lines after the claim of format 6.
 void write_proof_of_motions(Text& text, const Certificate& c) {
   using Kind = fathom_check::MotionParts::Piece::Kind;
-  const auto weight = [&](const fathom_check::Weight& w) { text.line(std::size_t{w.index}, w.weight); };
   text.part("pieces", c.of_motions.pieces, [&](const fathom_check::MotionParts::Piece& piece) {
     const fathom_check::Vector &n = piece.n, &g = piece.g;
     switch (piece.kind) {
@@ -310,12 +313,10 @@ void write_proof_of_motions(Text& text, const Certificate& c) {
       case Kind::near: break;
     }
     text.line(piece.end, "near", piece.delta);
-    text.part("weights_a", piece.weights[0].items, weight);
-    text.part("weights_b", piece.weights[1].items, weight);
+    write_weights(text, piece.weights[0].items, piece.weights[1].items);
   });
   if (c.claim != Claim::contact) return;
-  text.part("weights_a", c.weights_a.items, weight);
-  text.part("weights_b", c.weights_b.items, weight);
+  write_weights(text, c.weights_a.items, c.weights_b.items);
 }
 
 /// Returns the certificate without its first line and its id.
@@ -323,7 +324,6 @@ std::string text_of(const Certificate& c) {
   Text text;
   const auto vector = [&](const fathom_check::Vector& n) { text.line(n.x, n.y, n.z); };
   const auto pair = [&](const fathom_check::Pair& v) { text.line(std::size_t{v.j}, std::size_t{v.i}); };
-  const auto weight = [&](const fathom_check::Weight& w) { text.line(std::size_t{w.index}, w.weight); };
   if (c.raising) text.line("plane", c.raising->height);
   write_body(text, c.a, "a", c.raising.has_value());
   write_body(text, c.b, "b", c.raising.has_value());
@@ -342,8 +342,7 @@ std::string text_of(const Certificate& c) {
     text.part("vertices", c.vertices.items, pair);
     text.facets(c.facets.items, 0, c.facets.items.size());
   } else if (c.proof == fathom_check::Proof::weights) {
-    text.part("weights_a", c.weights_a.items, weight);
-    text.part("weights_b", c.weights_b.items, weight);
+    write_weights(text, c.weights_a.items, c.weights_b.items);
   }
   if (c.has_cone) {
     text.part("lineality", c.lineality.items, vector);

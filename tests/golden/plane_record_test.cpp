@@ -19,6 +19,7 @@
 namespace fathom::golden {
 namespace {
 
+using testing::case_of;
 using testing::hex;
 using testing::Json;
 using testing::line_with;
@@ -26,19 +27,12 @@ using testing::read;
 
 Json two_texts(const Vector& v) { return {v.x.get_str(), v.y.get_str()}; }
 
-Case plane_case_of(const Record& record) {
-  const CaseItem item = parse_case(record.line, "record");
-  EXPECT_TRUE(item.ok()) << record.id << ": " << (item.ok() ? "" : item.error().what());
-  EXPECT_EQ(item.id, record.id);
-  return item.ok() ? item.value() : Case{};
-}
-
 /// The case has polygons where the record has shapes of radius 0: so the answer goes another way.
 TEST(PlaneRecord, SaysWhatOthersSayAboutTheCaseThatItIs) {
   std::set<std::string> statuses, kinds;
   for (const Recipe& recipe : testing::some_recipes(3, Level::F0)) {
     for (const Record& record : records_of(recipe)) {
-      const Case bodies = plane_case_of(record);
+      const Case bodies = case_of(record);
       ASSERT_EQ(bodies.a.dimension, 2u) << record.id;
       const Json line = Json::parse(record.line), &expected = line["expected"];
       for (const Method method : {Method::automatic, Method::naive}) {
@@ -77,7 +71,7 @@ TEST(PlaneRecord, SaysWhatOthersSayAboutTheCaseThatItIs) {
 
 TEST(PlaneRecord, CertificatesOfTheSameBodiesInSpaceAreRefused) {
   const Record record = records_of({Source::plane_family, "plane_random", 7, 1}).front();
-  Case bodies = plane_case_of(record);
+  Case bodies = case_of(record);
   bodies.a.dimension = bodies.b.dimension = 3;
   const std::string flat = certificate_text(bodies.a, bodies.b, exact_answer(bodies.a, bodies.b), record.id);
   EXPECT_EQ(faults_of(line_with(record.line, flat), flat), "the certificate is about other bodies");

@@ -29,6 +29,7 @@
 namespace fathom::golden {
 namespace {
 
+using testing::case_of;
 using testing::hex;
 using testing::Json;
 using testing::line_with;
@@ -37,13 +38,6 @@ using testing::replaced;
 
 Json texts(const Vector& v) { return {v.x.get_str(), v.y.get_str(), v.z.get_str()}; }
 Json texts(const Point& p) { return {exact_text(p.x), exact_text(p.y), exact_text(p.z)}; }
-
-Case points_of(const Record& record) {
-  const CaseItem item = parse_case(record.line, "record");
-  EXPECT_TRUE(item.ok()) << record.id << ": " << (item.ok() ? "" : item.error().what());
-  EXPECT_EQ(item.id, record.id);
-  return item.ok() ? item.value() : Case{};
-}
 
 void expect_answer(const Json& expected, const Depth& depth, const std::string& id) {
   EXPECT_EQ(expected["status"], name(depth.status())) << id;
@@ -69,7 +63,7 @@ TEST(Record, AgreesWithTheNaiveAndTheExactMethod) {
   for (const Recipe& recipe : testing::some_recipes(4)) {
     for (const Record& record : records_of(recipe)) {
       const Json expected = Json::parse(record.line)["expected"];
-      const Case points = points_of(record);
+      const Case points = case_of(record);
       statuses.insert(expected["status"]);
       for (const Method method : {Method::naive, Method::exact}) {
         expect_answer(expected, penetration_depth(points.a.points, points.b.points, {.method = method}), record.id);
@@ -157,9 +151,9 @@ TEST(Record, RoundedOnesHoldTheRoundedPoints) {
     const std::vector<Record> records = records_of(recipe);
     counts.insert(records.size());
     EXPECT_EQ(records[0].id, id_of(recipe));
-    EXPECT_EQ(points_of(records[0]).a.points, base.a.points);
+    EXPECT_EQ(case_of(records[0]).a.points, base.a.points);
     for (const Record& record : records) {
-      const Case found = points_of(record);
+      const Case found = case_of(record);
       const HullPair points{found.a, found.b};
       const Form form = record.id.ends_with(".b64")   ? Form::binary64
                         : record.id.ends_with(".b32") ? Form::binary32
@@ -177,7 +171,7 @@ TEST(Record, RoundedOnesHoldTheRoundedPoints) {
     }
     // No two records hold the same points.
     for (std::size_t i = 1; i < records.size(); ++i)
-      EXPECT_NE(points_of(records[i - 1]).b.points, points_of(records[i]).b.points) << name;
+      EXPECT_NE(case_of(records[i - 1]).b.points, case_of(records[i]).b.points) << name;
   }
   EXPECT_GE(counts.size(), 3u) << "one, two and three records of a base case";
 }
